@@ -7,7 +7,7 @@
 #include <ostream>
 #include <pugixml.hpp>
 
-#include "reports/svg_nodes.h"
+#include "reports/nodes.h"
 
 namespace edgecase {
 namespace {
@@ -62,13 +62,9 @@ void write_alternatives_svg(const AlternativesPicture& picture, std::ostream& ou
   const int rows = (count + columns - 1) / columns;
 
   pugi::xml_document document;
-  pugi::xml_node svg = document.append_child("svg");
-  set(svg, "xmlns", std::string("http://www.w3.org/2000/svg"));
   const double width = kGap + std::min(columns, count) * (panel_width + kGap);
   const double height = kGap + rows * (panel_height + kGap);
-  set(svg, "width", width);
-  set(svg, "height", height);
-  set(svg, "viewBox", fmt::format("0 0 {} {}", width, height));
+  pugi::xml_node svg = add_svg(document, width, height);
   svg.append_child("style").text().set(kStyle);
   add_rectangle(svg, "paper", 0, 0, width, height);
   for (int i = 0; i < count; ++i) {

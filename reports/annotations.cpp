@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-#include "model/counted.h"
+#include "model/text.h"
 #include "reports/test_outcomes.h"
 #include "reports/text.h"
 
@@ -22,12 +22,12 @@ constexpr std::size_t kMostAnnotations = 10;
 constexpr std::size_t kMostOfTitle = 200;
 constexpr std::size_t kMostOfMessage = 1200;
 
-// What fails in one file, or is contested there.
+// The failing and contested tests of one file.
 struct Group {
   bool is_error = false;
   std::string file;  // empty: the run, or a case that the suite has no more
   int line = 0;
-  int severity = -1;       // of the heaviest test, which is the one that is told
+  int severity = -1;       // of the heaviest test, whose message is shown
   std::size_t weight = 0;  // its disagreements
   std::size_t disagreements = 0;
   std::size_t tests = 0;
@@ -35,7 +35,7 @@ struct Group {
   std::string message;
 };
 
-// A test that is no renderer's answer says that something else is wrong: that comes first.
+// Tests that are no renderer's answers come first: they concern the suite or the whole run.
 int severity_of(const TestOutcome& outcome) {
   if (outcome.result == nullptr) return outcome.status == TestStatus::error ? 7 : 6;
   switch (outcome.result->verdict) {
@@ -77,7 +77,7 @@ std::vector<Group> groups_of(const Results& results) {
     const bool is_tolerated =
         outcome.result != nullptr && outcome.result->standing == Standing::tolerated;
     if (!is_error && !is_tolerated) return;
-    // What has no file stands for itself; no path holds a zero byte.
+    // An outcome without a file is its own group; no path holds a zero byte.
     std::string key = outcome.file.empty()
                           ? std::string(1, '\0') + outcome.suite.front() + outcome.name
                           : outcome.file;
@@ -97,7 +97,7 @@ std::vector<Group> groups_of(const Results& results) {
   return sorted;
 }
 
-// As GitHub takes a message: what would end the line is written as %0A, and "%" as %25.
+// A message in GitHub's encoding: line ends become %0A, and "%" becomes %25.
 std::string escaped_data(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
@@ -113,7 +113,7 @@ std::string escaped_data(std::string_view text) {
   return escaped;
 }
 
-// As it takes a property: what would end that, too.
+// A property's value in the same encoding, in which ":" and "," are encoded, too.
 std::string escaped_property(std::string_view text) {
   std::string escaped;
   for (const char c : escaped_data(text)) {

@@ -5,11 +5,11 @@
 //   ::error file=cases/a.json,line=1,title=…::what failed, and why
 //   ::warning file=cases/b.json,line=1,title=…::what is contested, and why
 //
-// One error per case file that has a failing test (reports/test_outcomes.h), one warning per file
-// with what is contested and tolerated, and the ten heaviest only, since GitHub shows ten of a step
-// and drops the others in silence; a notice says how many there are beyond them. Errors come before
-// warnings. Heavier is the worse verdict, then more of its tests, then more disagreements; ties go
-// by the file's path. What the run as a whole lacks comes first.
+// There is one error per case file with a failing test (reports/test_outcomes.h), and one warning
+// per file with something contested and tolerated. Only the ten heaviest are written, since GitHub
+// silently drops all beyond ten of a step; a notice gives the number of the others. Errors come
+// before warnings. The worse verdict is heavier, then the larger number of such tests, then the
+// larger number of disagreements; ties are ordered by path. Faults of the whole run come first.
 #pragma once
 
 #include <functional>
@@ -20,11 +20,11 @@
 
 namespace edgecase {
 
-// Where a case file lies in the repository, of its path as results give it.
+// Maps a case file's path in the results to its path in the repository.
 using PathInRepository = std::function<std::string(const std::string& file)>;
 
-// Writes a line for each; nothing where no test fails. Texts are cut to some 1,500 bytes, and no
-// text can end its command or begin another. The caller checks the stream's state afterwards.
+// Writes one line per annotation. Texts are cut to about 1,500 bytes and escaped, so that no text
+// ends its command or begins another. The caller checks the stream's state afterwards.
 void write_annotations(const Results& results, const PathInRepository& path_of, std::ostream& out);
 
 }  // namespace edgecase

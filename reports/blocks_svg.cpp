@@ -9,7 +9,7 @@
 #include <pugixml.hpp>
 #include <tuple>
 
-#include "reports/svg_nodes.h"
+#include "reports/nodes.h"
 #include "reports/text.h"
 
 namespace edgecase {
@@ -61,7 +61,7 @@ const char* class_of(DrawnBlock::Kind kind) {
   return "?";
 }
 
-// Lines of a colour on a ground, turned by so many degrees.
+// A hatching: coloured lines on a ground, turned by an angle in degrees.
 void add_pattern(pugi::xml_node parent, const char* id, const char* ground, const char* line,
                  double turn) {
   constexpr double kStep = 6;
@@ -106,8 +106,8 @@ void add_sample(const Panel& panel, const DrawnSample& sample) {
           panel.row(sample.place.second), std::min(3.0, panel.cell / 6));
 }
 
-// The number of the edge that is drawn from a to b, beside its middle: on the side that the third
-// vertex is not on, unless that is beyond the target.
+// The number of the edge from a to b, beside its middle: on the side away from the third vertex,
+// unless that lies beyond the target.
 void add_edge_number(const Panel& panel, std::pair<double, double> a, std::pair<double, double> b,
                      std::pair<double, double> third, std::size_t number) {
   constexpr double kRadius = 8;
@@ -177,7 +177,7 @@ void add_legend(pugi::xml_node svg, double y) {
   }
 }
 
-// What is shown of outlines: the target and a little of what is around it.
+// Clips outlines to the target and a margin around it.
 void add_window(pugi::xml_node definitions, double width, double height) {
   constexpr double kMargin = 12;
   pugi::xml_node window = definitions.append_child("clipPath");
@@ -205,11 +205,7 @@ void write_blocks_svg(const BlocksPicture& picture, std::ostream& out) {
   const double legend = top + rows * (panel_height + kGap);
 
   pugi::xml_document document;
-  pugi::xml_node svg = document.append_child("svg");
-  set(svg, "xmlns", std::string("http://www.w3.org/2000/svg"));
-  set(svg, "width", width);
-  set(svg, "height", legend + kSwatch + kGap);
-  set(svg, "viewBox", fmt::format("0 0 {} {}", width, legend + kSwatch + kGap));
+  pugi::xml_node svg = add_svg(document, width, legend + kSwatch + kGap);
   svg.append_child("style").text().set(kStyle);
   pugi::xml_node definitions = svg.append_child("defs");
   add_pattern(definitions, "accepted", "#cfe0f8", "#4f86d6", -45);

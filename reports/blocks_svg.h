@@ -2,9 +2,9 @@
 //
 // Block walks of a case's triangles, side by side, as an SVG picture for documents.
 //
-// What became of a block is told by its pattern as well as by its colour: accepted ones are hatched
-// upward, rejected ones downward with the number of the edge that rejects them, and in tested ones
-// each sample is a dot, full where it is covered. The picture brings its own background.
+// Both pattern and colour show a block's outcome. Accepted blocks are hatched upward. Rejected ones
+// are hatched downward, with the number of the rejecting edge. In tested ones each sample is a dot,
+// full if it is covered. The picture brings its own background.
 #pragma once
 
 #include <iosfwd>
@@ -21,7 +21,7 @@ struct DrawnBlock {
   Kind kind = Kind::accepted;
   int x = 0;  // of its lower left pixel
   int y = 0;
-  int width = 0;  // pixels, what the target cuts off left out
+  int width = 0;  // pixels, without those beyond the target
   int height = 0;
   int edge = -1;  // that rejects it
 };

@@ -28,7 +28,7 @@ using Json = nlohmann::ordered_json;
 Json number(double value) {
   if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
-  // A whole number without its ".0" is shorter, and JavaScript has but one kind of number.
+  // Whole numbers are written without ".0": JavaScript has only one kind of number.
   if (value == std::floor(value) && std::abs(value) < 1e15 && !std::signbit(value))
     return static_cast<std::int64_t>(value);
   return value;
@@ -53,7 +53,7 @@ Json figure_json(const Figure& figure) {
   return marks;
 }
 
-// Fields that say nothing are left out: the report holds thousands of these.
+// Empty fields are omitted, since a report holds thousands of disagreements.
 Json disagreement_json(const Disagreement& d, int samples) {
   Json json = {{"x", d.x}, {"y", d.y}, {"kind", name_of(d.kind)}, {"rule", name_of(d.rule)}};
   if (names_sample(d, samples)) json["sample"] = d.sample;
@@ -105,7 +105,7 @@ Json values_json(const ValueAggregate& v) {
           {"histogram", histogram}};
 }
 
-// Numbers are float32 to the bit, in as few digits as tell them apart.
+// Float32 numbers, in the fewest digits that distinguish them.
 Json level(double value) {
   if (!std::isfinite(static_cast<float>(value))) return number(static_cast<float>(value));
   const std::string digits = fmt::format("{}", static_cast<float>(value));
@@ -121,14 +121,14 @@ Json ramp_json(const Result& result) {
         Json::array({p.x, p.y, level(p.exact), level(p.low), level(p.high), level(p.rendered)}));
   const RampSummary summary = summarize_ramp(result.ramp);
   Json json = {
-      {"points", points}, {"words", words_of(summary)}, {"outside", Json(summary.outside)}};
+      {"points", points}, {"words", describe(summary)}, {"outside", Json(summary.outside)}};
   if (summary.farthest) json["farthest"] = *summary.farthest;
   if (!summary.outside.empty()) json["causes"] = open_causes_of_levels(result);
   return json;
 }
 
-// The images of an answer, each as it differs from what it was held against: rendered from exact,
-// and exact, where its samples lie elsewhere, from the case's.
+// The images of an answer, each as a difference: the rendered one from exact's; exact's from the
+// case's, if it was drawn with other sample positions.
 void add_images(Json& json, const CaseResults& one, const Result& result) {
   const bool own = !result.exact_pixels->empty();
   const Shared<PackedWords>& exact = own ? result.exact_pixels : one.pixels;
@@ -145,7 +145,7 @@ void add_images(Json& json, const CaseResults& one, const Result& result) {
         {"samples", sample_difference(result.exact_samples, one.samples)}};
 }
 
-// Those of one side, as far as disagreements are listed.
+// One side's fragments at listed disagreements.
 Json fragments_json(const std::vector<Result::ReportedFragment>& fragments, const Result& result) {
   const std::size_t listed = std::min(result.disagreements.size(), kMaxDisagreementsPerAnswer);
   const std::vector<const Disagreement*> disagreements = worst_first(result);
@@ -166,7 +166,7 @@ Json fragments_json(const std::vector<Result::ReportedFragment>& fragments, cons
   return list;
 }
 
-// What a renderer answered, without who it was.
+// A renderer's answer, without its name.
 Json answer_json(const CaseResults& one, const Result& result) {
   Json json;
   json["fingerprint"] = result.fingerprint;

@@ -32,11 +32,11 @@ std::string counts_of(const Cluster& cluster) {
 
 std::string command_for(const Cluster& cluster, const RendererInfo& renderer,
                         const std::string& policy) {
-  return words_of(ExplainCommand{cluster.smallest_file, cluster.smallest_case, asked_as(renderer),
-                                 policy, std::pair(cluster.x, cluster.y)});
+  return command_line(ExplainCommand{cluster.smallest_file, cluster.smallest_case,
+                                     asked_as(renderer), policy, std::pair(cluster.x, cluster.y)});
 }
 
-// What an alternative accounts for and the specification allows needs no look at its smallest case.
+// Legal clusters with a cause need no look at their smallest case.
 bool needs_a_look(const Cluster& cluster) {
   return cluster.legality != Legality::legal || cluster.cause.empty();
 }
@@ -51,7 +51,7 @@ void write_cluster(const Cluster& cluster, const RendererInfo& renderer, const s
     out << fmt::format("               {}\n", command_for(cluster, renderer, policy));
 }
 
-// In the order of clusters_of: what is not allowed, then what is contested, then what is allowed.
+// In the order of clusters_of: illegal ones, then contested ones, then legal ones.
 void write_renderer(std::span<const Cluster> clusters, const RendererInfo& renderer,
                     const std::string& policy, const Painter& paint, std::ostream& out) {
   if (clusters.empty()) return;

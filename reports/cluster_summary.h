@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The clusters of a run on the terminal: per renderer what no alternative accounts for, each with
-// the command that explains its smallest case, then the causes of the rest.
+// The clusters of a run on the terminal: for each renderer those without a cause, each with the
+// command that explains its smallest case, then the causes of the others.
 #pragma once
 
 #include <iosfwd>
@@ -11,9 +11,9 @@
 
 namespace edgecase {
 
-// For each renderer that differs at all: at most 5 clusters without cause (results/clusters.h has
-// the order) and at most 5 causes, and how many more of each there are. Text from files and
-// renderers stands on one line, its control characters visible.
+// Writes, for each renderer that differs, at most 5 clusters without a cause and at most 5 causes,
+// in the order of results/clusters.h, and the numbers of the others. Text from files and renderers
+// is written on one line, with control characters made visible.
 void write_clusters(const Results& results, const Painter& paint, std::ostream& out);
 
 }  // namespace edgecase

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-#include "model/counted.h"
+#include "model/text.h"
 #include "reports/markdown.h"
 #include "reports/text.h"
 
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostListed = 10;
 constexpr std::size_t kMostBytes = 64'000;  // GitHub takes comments of 65,536
 
-std::string words_of(const std::optional<Judgement>& answer) {
+std::string describe(const std::optional<Judgement>& answer) {
   if (!answer) return "-";
   const std::string verdict = name_of(answer->verdict);
   return answer->fingerprint.empty() ? verdict : verdict + " " + markdown_code(answer->fingerprint);
@@ -54,8 +54,8 @@ void write_cases(const RendererComparison& renderer, ChangeKind change, Markdown
   std::string lines = "\n<details><summary>Cases</summary>\n\n";
   for (const CaseChange& one : renderer.cases) {
     if (one.change != change || ++count > kMostListed) continue;
-    lines += fmt::format("- {}: {} -> {}\n", markdown_code(one.id), words_of(one.before),
-                         words_of(one.after));
+    lines += fmt::format("- {}: {} -> {}\n", markdown_code(one.id), describe(one.before),
+                         describe(one.after));
   }
   page.add(lines + more_of(count, "more case", "more cases") + "\n</details>\n");
 }

@@ -9,10 +9,10 @@
 
 namespace edgecase {
 
-// What differs beside the cases, then for each renderer how many cases changed in which way, by
-// which rule and cause, and which, folded: at most 10 clusters and 10 cases of each change, and how
-// many more there are. At most 64,000 bytes, so that a pull request's comment holds it. Texts from
-// files and renderers stand as code, on one line.
+// First the differences other than those of cases. Then, for each renderer, the number of cases for
+// each kind of change; and, folded, their clusters by rule and cause and the cases themselves: at
+// most 10 of each, and the numbers of the others. At most 64,000 bytes, which fit into the comment
+// of a pull request. Texts from files and renderers are written as code, on one line.
 std::string comparison_markdown(const Comparison& comparison);
 
 }  // namespace edgecase

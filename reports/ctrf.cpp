@@ -70,12 +70,12 @@ Json renderer_json(const RendererInfo& info) {
           {"device", info.device}};
 }
 
-// Names and messages may hold bytes that are no UTF-8; they are replaced, never fatal.
+// Bytes of names and messages that are not UTF-8 are replaced.
 std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// Counts by status, all of which the format wants, and of suites.
+// Counts by status, all required by the format, and the number of suites.
 class Summary {
  public:
   void add(const TestOutcome& outcome) {

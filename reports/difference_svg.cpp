@@ -8,8 +8,8 @@
 #include <string_view>
 #include <tuple>
 
+#include "reports/nodes.h"
 #include "reports/picture_crop.h"
-#include "reports/svg_nodes.h"
 #include "reports/text.h"
 
 namespace edgecase {
@@ -44,7 +44,7 @@ constexpr const char* kStyle =
     ".sign{fill:none;stroke:#fff;stroke-width:1.8}"
     ".digit{font-weight:bold;font-size:11px;fill:#fff;text-anchor:middle}";
 
-// Beside it where something is contested.
+// Added if something is contested.
 constexpr const char* kContestedStyle =
     ".contested{fill:none;stroke:#7a2fa0;stroke-width:2.4;stroke-dasharray:1.5 2}"
     ".badge.contested-badge{fill:#7a2fa0}";
@@ -62,7 +62,7 @@ struct Panel {
   double row(double y) const { return heading + (crop.top - y) * cell; }
 };
 
-// The pixels with their CSS classes, `width` to a row of the target, and a grid over them.
+// The pixels with their CSS classes and a grid. `width`: pixels in a row of the target.
 void add_pixels(const Panel& panel, int width, const std::vector<const char*>& kinds) {
   for (int y = panel.crop.bottom; y < panel.crop.top; ++y)
     for (int x = panel.crop.left; x < panel.crop.right; ++x)
@@ -79,7 +79,7 @@ void add_pixels(const Panel& panel, int width, const std::vector<const char*>& k
   set(grid, "d", path);
 }
 
-// The numbers of columns and rows, where pixels have room for them.
+// The numbers of columns and rows, if pixels are large enough.
 void add_numbers(const Panel& panel) {
   if (panel.cell < kNumbered) return;
   for (int x = panel.crop.left; x < panel.crop.right; ++x)
@@ -124,7 +124,7 @@ void add_scene(const Panel& panel, const Figure& figure) {
   }
 }
 
-// What the rule of a disagreement looks at. The scene has its outlines already.
+// The geometry that the rule of a disagreement tests; add_scene has drawn the outlines.
 void add_evidence(const Panel& panel, const Figure& figure) {
   for (const Mark& mark : figure.marks) {
     if (mark.points.empty()) continue;
@@ -135,8 +135,8 @@ void add_evidence(const Panel& panel, const Figure& figure) {
   }
 }
 
-// What a pixel's sign says. A pixel that is drawn more often than it may is a duplicate, also where
-// each single primitive draws it once.
+// The meaning of a pixel's sign. A pixel that is drawn more often than allowed is a duplicate, even
+// if each primitive draws it once.
 struct Sign {
   DisagreementKind kind = DisagreementKind::missing;
   int hits = 0;  // of a duplicate
@@ -154,7 +154,7 @@ Sign sign_of(const DifferencePicture& picture, const Disagreement& d) {
   return sign;
 }
 
-// Classes of kStyle, by legality: colour and dashes tell them apart.
+// Classes of kStyle by legality, which differ in colour and dashes.
 const char* frame_of(Legality legality) {
   constexpr const char* kFrames[] = {"allowed", "contested", "forbidden"};
   return kFrames[static_cast<int>(legality)];
@@ -201,7 +201,7 @@ void add_frames(const Panel& panel, const std::vector<Disagreement>& all) {
                     panel.row(d.y + 1) + inset, panel.cell - 2 * inset, panel.cell - 2 * inset);
 }
 
-// A node in the pane's coordinates that shows nothing far outside what is shown of the target.
+// A node in the pane's coordinates, clipped to the shown part of the target and a margin.
 pugi::xml_node add_window(const Panel& panel) {
   const double left = -kMargin;
   const double top = panel.row(panel.crop.top) - kMargin;
@@ -260,11 +260,7 @@ double cell_of(const Crop& crop) {
 // An SVG document of this size, and its background.
 pugi::xml_node add_paper(pugi::xml_document& document, const DifferencePicture& picture,
                          double width, double height) {
-  pugi::xml_node svg = document.append_child("svg");
-  set(svg, "xmlns", std::string("http://www.w3.org/2000/svg"));
-  set(svg, "width", width);
-  set(svg, "height", height);
-  set(svg, "viewBox", fmt::format("0 0 {} {}", width, height));
+  pugi::xml_node svg = add_svg(document, width, height);
   const bool is_contested =
       std::ranges::find(picture.disagreements, Legality::contested, &Disagreement::legality) !=
       picture.disagreements.end();
@@ -290,7 +286,7 @@ std::vector<std::string> broken(const std::string& text, std::size_t most) {
   return lines;
 }
 
-// The disagreement that a caption names: the first of the worst.
+// The disagreement in a caption: the first of the worst.
 const Disagreement* first_of(const std::vector<Disagreement>& all) {
   const auto worst = std::ranges::max_element(all, {}, &Disagreement::legality);
   return worst == all.end() ? nullptr : &*worst;
@@ -304,7 +300,7 @@ std::string caption_of(const DifferencePicture& picture) {
                      name_of(d->kind), name_of(d->rule), ruling);
 }
 
-std::string words_of(const Sign& sign, int count) {
+std::string describe(const Sign& sign, int count) {
   const std::string what = sign.kind == DisagreementKind::duplicate
                                ? fmt::format("drawn {} times", sign.hits)
                                : name_of(sign.kind);
@@ -313,7 +309,7 @@ std::string words_of(const Sign& sign, int count) {
                      is_illegal ? "" : describe(sign.legality));
 }
 
-// The signs that the picture has, each with its meaning and how often it occurs.
+// The picture's signs, each with its meaning and count.
 void add_legend(pugi::xml_node svg, const DifferencePicture& picture, double y) {
   std::map<decltype(Sign().key()), int> counts;
   for (const Disagreement& d : picture.disagreements) ++counts[sign_of(picture, d).key()];
@@ -321,7 +317,7 @@ void add_legend(pugi::xml_node svg, const DifferencePicture& picture, double y) 
   for (const auto& [key, count] : counts) {
     const auto [kind, hits, legality] = key;
     const Sign sign{kind, hits, legality};
-    const std::string words = words_of(sign, count);
+    const std::string words = describe(sign, count);
     add_badge(svg, sign, x, y - 10, 11);
     add_text(svg, "name", x + 16, y, words);
     x += 16 + kLetterWidth * static_cast<double>(words.size()) + kGap;

@@ -3,11 +3,11 @@
 // One case as an SVG picture for documents, in three panes: exact, the difference, the renderer.
 //
 // Pixels are coloured by how many fragments they hold. A pixel that differs has a frame in every
-// pane, solid where the specification forbids the difference and dashed where it allows it. The
-// middle pane shows each frame's sign (- missing, + extra, 2 drawn twice, a crossed = another
-// value) and what the rule looks at, such as a line's diamond. All panes are cropped to the pixels
-// that either side draws and one more all round. The picture brings its own background: it reads
-// the same on a light and on a dark page.
+// pane, solid if the specification forbids the difference and dashed if it allows it. The middle
+// pane shows each frame's sign (- missing, + extra, 2 drawn twice, a crossed = another value) and
+// the geometry that the rule tests, such as a line's diamond. All panes are cropped to the pixels
+// that either side draws and a margin of one pixel. The picture has its own background, so that it
+// suits light and dark pages.
 #pragma once
 
 #include <iosfwd>
@@ -37,14 +37,14 @@ struct DifferencePicture {
   Verdict verdict = Verdict::agree;
 };
 
-// What a renderer drew: exact's fragments per pixel and the disagreements on coverage.
+// The renderer's fragments per pixel: exact's, corrected by the disagreements on coverage.
 std::vector<int> rendered_hits(const std::vector<int>& exact_hits, int width,
                                const std::vector<Disagreement>& disagreements);
 
 // The same picture gives the same bytes. The caller checks the stream's state afterwards.
 void write_difference_svg(const DifferencePicture& picture, std::ostream& out);
 
-// One pane alone, without a word: small enough to stand in a line of a table.
+// One pane alone, without text, small enough for a row of a table.
 void write_pane_svg(const DifferencePicture& picture, Pane pane, std::ostream& out);
 
 }  // namespace edgecase

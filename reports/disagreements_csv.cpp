@@ -15,8 +15,8 @@
 namespace edgecase {
 namespace {
 
-// A text as one field: quoted where it holds what would end it. What a spreadsheet would take for a
-// formula gets an apostrophe before it, which makes it a text.
+// A text as one field, quoted if it contains a delimiter. An apostrophe is put before a text that a
+// spreadsheet would take for a formula.
 std::string field(const std::string& raw) {
   std::string text = xml_text(raw);
   if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos)

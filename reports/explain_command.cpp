@@ -10,9 +10,9 @@
 
 namespace edgecase {
 
-std::string words_of(const ExplainCommand& command) {
+std::string command_line(const ExplainCommand& command) {
   std::string words = "edgecase explain " + shell_word(command.file);
-  // One case of several that the file stands for.
+  // The file expands to several cases, of which this is one.
   if (command.id.find(':') != std::string::npos) words += " --filter " + shell_word(command.id);
   words += " --against " + shell_word(command.renderer);
   if (command.pixel)

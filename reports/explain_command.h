@@ -17,10 +17,10 @@ struct ExplainCommand {
   std::optional<std::pair<int, int>> pixel;  // column and row, y up
 };
 
-// "edgecase explain FILE …", on one line, every word quoted for a POSIX shell where it has to be.
-std::string words_of(const ExplainCommand& command);
+// "edgecase explain FILE …", on one line; words are quoted for a POSIX shell if necessary.
+std::string command_line(const ExplainCommand& command);
 
-// A word as a POSIX shell takes it literally.
+// A word, quoted for a POSIX shell if necessary.
 std::string shell_word(const std::string& text);
 
 }  // namespace edgecase

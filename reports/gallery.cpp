@@ -5,40 +5,17 @@
 #include <cstdlib>
 #include <ostream>
 #include <pugixml.hpp>
-#include <sstream>
 
-#include "model/counted.h"
+#include "model/text.h"
 #include "reports/gallery_picture.h"
+#include "reports/nodes.h"
 #include "reports/page.h"
-#include "reports/svg_nodes.h"
 #include "reports/text.h"
 
 namespace edgecase {
 namespace {
 
 using Node = pugi::xml_node;
-
-Node add(Node parent, const char* name, const char* kind = nullptr) {
-  Node node = parent.append_child(name);
-  if (kind != nullptr) set(node, "class", std::string(kind));
-  return node;
-}
-
-Node add_words(Node parent, const char* name, const char* kind, const std::string& words) {
-  Node node = add(parent, name, kind);
-  node.append_child(pugi::node_pcdata).set_value(xml_text(words).c_str());
-  return node;
-}
-
-void append_words(Node node, const std::string& words) {
-  node.append_child(pugi::node_pcdata).set_value(xml_text(words).c_str());
-}
-
-Node add_link(Node parent, const std::string& target, const std::string& words) {
-  Node link = add_words(parent, "a", nullptr, words);
-  set(link, "href", xml_text(target));
-  return link;
-}
 
 std::string anchor_of(std::size_t index) {
   return fmt::format("picture-{}", index + 1);
@@ -50,23 +27,23 @@ bool is_web_address(const std::string& text) {
 
 void add_head(Node body, const GalleryPage& page) {
   Node head = add(body, "header", "gallery-head");
-  add_words(head, "p", "faint", "Edgecase gallery");
-  add_words(head, "h1", nullptr, page.title);
-  if (!page.about.empty()) add_words(head, "p", "about", page.about);
+  add_text(head, "p", "faint", "Edgecase gallery");
+  add_text(head, "h1", nullptr, page.title);
+  if (!page.about.empty()) add_text(head, "p", "about", page.about);
   Node facts = add(head, "p", "facts");
   Node policy = add(facts, "span");
-  append_words(policy, "Policy ");
-  add_words(policy, "code", nullptr, page.policy);
-  add_words(facts, "span", nullptr, fmt::format("{} pictures", page.entries.size()));
-  if (!page.renderer.empty()) add_words(facts, "span", nullptr, "Rendered by " + page.renderer);
+  append_text(policy, "Policy ");
+  add_text(policy, "code", nullptr, page.policy);
+  add_text(facts, "span", nullptr, fmt::format("{} pictures", page.entries.size()));
+  if (!page.renderer.empty()) add_text(facts, "span", nullptr, "Rendered by " + page.renderer);
   if (!page.sources.empty()) {
     Node sources = add(head, "p", "facts");
-    add_words(sources, "span", nullptr, "Described in");
+    add_text(sources, "span", nullptr, "Described in");
     for (const std::string& source : page.sources)
       if (is_web_address(source))
         add_link(sources, source, source);
       else
-        add_words(sources, "span", nullptr, source);
+        add_text(sources, "span", nullptr, source);
   }
 }
 
@@ -76,7 +53,7 @@ void add_navigation(Node body, const GalleryPage& page) {
     set(others, "aria-label", std::string("Galleries"));
     for (const GalleryLink& link : page.links)
       if (link.file.empty())
-        set(add_words(others, "b", nullptr, link.title), "aria-current", std::string("page"));
+        set(add_text(others, "b", nullptr, link.title), "aria-current", std::string("page"));
       else
         add_link(others, link.file, link.title);
   }
@@ -87,7 +64,7 @@ void add_navigation(Node body, const GalleryPage& page) {
     add_link(add(list, "li"), "#" + anchor_of(i), page.entries[i].heading);
 }
 
-// What OpenGL says of a choice: the class of its badge, and words.
+// The legality of a choice under OpenGL: the class of its badge, and its text.
 std::pair<const char*, const char*> standing_of(const GalleryChoice& choice) {
   if (choice.standard.empty()) return {"badge b-agree", "as OpenGL"};
   if (choice.openness == "illegal") return {"badge b-violation", "forbidden"};
@@ -96,11 +73,11 @@ std::pair<const char*, const char*> standing_of(const GalleryChoice& choice) {
 
 void add_alternative(Node row, const std::string& name, const std::string& meaning) {
   Node cell = add(row, "td");
-  add_words(cell, "code", "chip", name);
-  if (!meaning.empty()) add_words(cell, "p", "faint", meaning);
+  add_text(cell, "code", "chip", name);
+  if (!meaning.empty()) add_text(cell, "p", "faint", meaning);
 }
 
-// The numbers of the pictures that a choice makes by itself or with others.
+// The numbers of the pictures that a choice determines, alone or with others.
 std::vector<std::size_t> pictures_of(const GalleryPage& page, const std::string& rule) {
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < page.entries.size(); ++i)
@@ -113,33 +90,33 @@ void add_choice(Node table, const GalleryPage& page, const GalleryChoice& choice
   Node row = add(table, "tr");
   Node rule = add(row, "th");
   set(rule, "scope", std::string("row"));
-  add_words(rule, "code", nullptr, choice.rule);
-  add_words(rule, "p", "faint", choice.title);
+  add_text(rule, "code", nullptr, choice.rule);
+  add_text(rule, "p", "faint", choice.title);
   add_alternative(row, choice.chosen, choice.meaning);
   if (choice.standard.empty())
-    add_words(row, "td", "faint", "the same");
+    add_text(row, "td", "faint", "the same");
   else
     add_alternative(row, choice.standard, choice.standard_meaning);
   const auto [kind, words] = standing_of(choice);
-  add_words(add(row, "td"), "span", kind, words);
+  add_text(add(row, "td"), "span", kind, words);
   Node why = add(row, "td");
-  if (!choice.why.empty()) add_words(why, "p", nullptr, choice.why);
+  if (!choice.why.empty()) add_text(why, "p", nullptr, choice.why);
   if (!choice.not_shown.empty())
-    add_words(why, "p", "faint", "No picture shows it: " + choice.not_shown);
+    add_text(why, "p", "faint", "No picture shows it: " + choice.not_shown);
   const std::vector<std::size_t> pictures = pictures_of(page, choice.rule);
   if (pictures.empty()) return;
-  Node seen = add_words(why, "p", "faint", "Seen in ");
+  Node seen = add_text(why, "p", "faint", "Seen in ");
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    if (i > 0) append_words(seen, ", ");
+    if (i > 0) append_text(seen, ", ");
     add_link(seen, "#" + anchor_of(pictures[i]), fmt::format("picture {}", pictures[i] + 1));
   }
 }
 
 void add_choices(Node body, const GalleryPage& page) {
   Node section = add(body, "section", "card");
-  add_words(section, "h2", nullptr, "What the policy chooses");
+  add_text(section, "h2", nullptr, "What the policy chooses");
   if (page.choices.empty()) {
-    add_words(section, "p", nullptr, "Nothing: it is OpenGL's own.");
+    add_text(section, "p", nullptr, "Nothing: it is OpenGL's own.");
     return;
   }
   Node scroll = add(section, "div", "scroll");
@@ -149,14 +126,14 @@ void add_choices(Node body, const GalleryPage& page) {
   Node table = add(scroll, "table", "choices");
   Node head = add(add(table, "thead"), "tr");
   for (const char* title : {"Rule", "Here", "OpenGL", "By OpenGL it is", "Why"})
-    set(add_words(head, "th", nullptr, title), "scope", std::string("col"));
+    set(add_text(head, "th", nullptr, title), "scope", std::string("col"));
   Node rows = add(table, "tbody");
   for (const GalleryChoice& choice : page.choices) add_choice(rows, page, choice);
 }
 
 // "3 pixels have another colour, by up to 9 of 255, 1 more is drawn another number of times";
 // empty where nothing differs.
-std::string difference_words(const GalleryDifference& difference) {
+std::string describe(const GalleryDifference& difference) {
   std::string words;
   if (difference.colors > 0)
     words = fmt::format("{} another colour, by up to {} of 255",
@@ -180,8 +157,8 @@ Node add_figure(Node parent, const GalleryEntry& entry, const GalleryImage& imag
                 const std::string& words) {
   Node figure = add(parent, "figure", "shown");
   Node caption = add(figure, "figcaption");
-  add_words(caption, "b", nullptr, title);
-  if (!words.empty()) add_words(caption, "span", "faint", words);
+  add_text(caption, "b", nullptr, title);
+  if (!words.empty()) add_text(caption, "span", "faint", words);
   add_gallery_picture(figure, entry, image, difference, xml_text(title + ". " + words));
   return caption;
 }
@@ -190,39 +167,39 @@ void add_rendered(Node parent, const GalleryEntry& entry, const std::string& ren
   if (entry.rendered.pixels.empty()) {
     Node figure = add(parent, "figure", "shown missing");
     Node caption = add(figure, "figcaption");
-    add_words(caption, "b", nullptr, renderer);
-    add_words(caption, "span", "badge b-not-run", "not-run");
-    add_words(figure, "p", "faint", entry.failure);
+    add_text(caption, "b", nullptr, renderer);
+    add_text(caption, "span", "badge b-not-run", "not-run");
+    add_text(figure, "p", "faint", entry.failure);
     return;
   }
   const GalleryDifference difference = difference_of(entry.rendered, entry.opengl);
-  const std::string words = difference_words(difference);
+  const std::string words = describe(difference);
   Node caption = add_figure(parent, entry, entry.rendered, difference, renderer,
                             words.empty() ? "the same pixels as exact" : words);
   const std::string verdict = name_of(entry.verdict);
-  add_words(caption, "span", ("badge b-" + verdict).c_str(), verdict);
+  add_text(caption, "span", ("badge b-" + verdict).c_str(), verdict);
 }
 
 void add_entry(Node body, const GalleryPage& page, std::size_t index) {
   const GalleryEntry& entry = page.entries[index];
   Node article = add(body, "article", "card");
   set(article, "id", anchor_of(index));
-  add_words(article, "h2", nullptr, fmt::format("{}. {}", index + 1, entry.heading));
-  if (!entry.text.empty()) add_words(article, "p", "about", entry.text);
+  add_text(article, "h2", nullptr, fmt::format("{}. {}", index + 1, entry.heading));
+  if (!entry.text.empty()) add_text(article, "p", "about", entry.text);
   Node facts = add(article, "p", "facts");
-  add_words(facts, "code", nullptr, entry.case_id);
-  if (!entry.origin.empty()) add_words(facts, "span", nullptr, entry.origin);
+  add_text(facts, "code", nullptr, entry.case_id);
+  if (!entry.origin.empty()) add_text(facts, "span", nullptr, entry.origin);
   for (const std::string& choice : entry.otherwise) {
-    Node otherwise = add_words(facts, "span", nullptr, "this picture alone with ");
-    add_words(otherwise, "code", "chip", choice);
+    Node otherwise = add_text(facts, "span", nullptr, "this picture alone with ");
+    add_text(otherwise, "code", "chip", choice);
   }
   Node shown = add(article, "div", "shown-row");
   const GalleryDifference difference = difference_of(entry.policy, entry.opengl);
-  add_figure(shown, entry, entry.policy, difference, page.policy, difference_words(difference));
+  add_figure(shown, entry, entry.policy, difference, page.policy, describe(difference));
   add_figure(shown, entry, entry.opengl, difference_of(entry.opengl, entry.opengl),
              "OpenGL, exactly", "");
   add_rendered(shown, entry, page.renderer.substr(0, page.renderer.find(" (")));
-  add_words(article, "p", "sentence", contrast_words(entry));
+  add_text(article, "p", "sentence", describe_contrast(entry));
 }
 
 std::string body_of(const GalleryPage& page) {
@@ -231,27 +208,14 @@ std::string body_of(const GalleryPage& page) {
   add_head(body, page);
   add_navigation(body, page);
   add_choices(body, page);
-  add_words(body, "p", "legend",
-            "A dashed line on white surrounds pixels that differ in colour from OpenGL's exact "
-            "picture, a thin dotted one those that differ by no more than 1 of 255; a ring marks "
-            "pixels that are drawn another number of times. Dots and thin lines are points and "
-            "outlines of what is drawn.");
+  add_text(body, "p", "legend",
+           "A dashed line on white surrounds pixels that differ in colour from OpenGL's exact "
+           "picture, a thin dotted one those that differ by no more than 1 of 255; a ring marks "
+           "pixels that are drawn another number of times. Dots and thin lines are points and "
+           "outlines of what is drawn.");
   for (std::size_t i = 0; i < page.entries.size(); ++i) add_entry(body, page, i);
-  add_words(body, "footer", "faint", page.tool);
-  std::ostringstream text;
-  document.save(
-      text, "",
-      pugi::format_raw | pugi::format_no_declaration | pugi::format_no_empty_element_tags);
-  return text.str();
-}
-
-// A text as the content of an element.
-std::string escaped(const std::string& text) {
-  pugi::xml_document document;
-  document.append_child(pugi::node_pcdata).set_value(xml_text(text).c_str());
-  std::ostringstream out;
-  document.save(out, "", pugi::format_raw | pugi::format_no_declaration);
-  return out.str();
+  add_text(body, "footer", "faint", page.tool);
+  return html_of(document);
 }
 
 }  // namespace
@@ -277,8 +241,8 @@ GalleryDifference difference_of(const GalleryImage& a, const GalleryImage& b) {
   return difference;
 }
 
-std::string contrast_words(const GalleryEntry& entry) {
-  const std::string words = difference_words(difference_of(entry.policy, entry.opengl));
+std::string describe_contrast(const GalleryEntry& entry) {
+  const std::string words = describe(difference_of(entry.policy, entry.opengl));
   if (words.empty()) return "The policy and OpenGL draw the same here.";
   if (entry.alone.size() == 1)
     return fmt::format("{}: by {} alone. With it as OpenGL has it, the two pictures are the same.",
@@ -294,7 +258,7 @@ std::string contrast_words(const GalleryEntry& entry) {
 }
 
 void write_gallery(const GalleryPage& page, std::ostream& out) {
-  out << kGalleryBeforeTitle << escaped(page.title) << kGalleryBeforeBody << body_of(page)
+  out << kGalleryBeforeTitle << html_of(page.title) << kGalleryBeforeBody << body_of(page)
       << kGalleryAfterBody;
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A gallery page: one policy, what it chooses, and pictures under it beside OpenGL's.
+// A gallery page: one policy, its choices, and pictures drawn under it beside OpenGL's.
 //
-// One static HTML file without a script, which loads and sends nothing: its Content-Security-Policy
-// lets only the one style run that stands in it. Pictures are SVG, so that they print, and stay
-// sharp at any size. Every text is shown as text, never as markup. Reports know no rule and compare
-// nothing: the caller brings words and pixels.
+// One static HTML file without a script that loads and sends nothing: its Content-Security-Policy
+// allows only its own style. Pictures are SVG, which prints and stays sharp at any size. Every text
+// is escaped. Reports know no rules and compare nothing: the caller supplies texts and pixels.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +29,7 @@ struct GalleryEntry {
   std::string heading;
   std::string text;    // what to look at
   std::string origin;  // the case's own title
-  // "rule=alternative" that this picture has otherwise than the policy.
+  // "rule=alternative" for each deviation of this picture from the policy.
   std::vector<std::string> otherwise;
   int width = 0;  // of all three, pixels
   int height = 0;
@@ -40,7 +39,7 @@ struct GalleryEntry {
   GalleryImage rendered;               // by the renderer
   Verdict verdict = Verdict::not_run;  // on what was rendered
   std::string failure;                 // why it was not
-  // PolicyContrast's: which rules put back make the picture OpenGL's.
+  // Rules which, set back to OpenGL's choice, make the picture OpenGL's (PolicyContrast).
   std::vector<std::string> alone;
   std::vector<std::string> together;
 };
@@ -51,9 +50,9 @@ struct GalleryChoice {
   std::string why;     // the gallery's words; may be empty
   std::string chosen;  // alternative, and what it means
   std::string meaning;
-  std::string standard;  // OpenGL's, where it is another one
+  std::string standard;  // OpenGL's, if it is another one
   std::string standard_meaning;
-  std::string openness;   // of what is chosen, under OpenGL: "open", "mandated", "illegal"
+  std::string openness;   // of the choice under OpenGL: "open", "mandated", "illegal"
   std::string not_shown;  // why no picture shows it; may be empty
 };
 
@@ -78,17 +77,17 @@ struct GalleryPage {
 struct GalleryDifference {
   std::vector<bool> colored;   // in colour, by more than 1 of 255; a flag for each pixel
   std::vector<bool> slightly;  // in colour, by no more than that
-  std::vector<bool> counted;   // in the number of times they are drawn, and in that alone
-  std::size_t colors = 0;      // flags that are set of the first two
-  std::size_t counts = 0;      // and of the third
+  std::vector<bool> counted;   // only in the number of times they are drawn
+  std::size_t colors = 0;      // set flags of the first two
+  std::size_t counts = 0;      // set flags of the third
   int largest = 0;             // of a component's code, 0 to 255
 };
 
 // Images of one size; counts are compared where both have them.
 GalleryDifference difference_of(const GalleryImage& a, const GalleryImage& b);
 
-// In one or two sentences: where the policy's picture differs from OpenGL's, and by which rules.
-std::string contrast_words(const GalleryEntry& entry);
+// One or two sentences: how the policy's picture differs from OpenGL's, and by which rules.
+std::string describe_contrast(const GalleryEntry& entry);
 
 // Writes the page in UTF-8; the same page gives the same bytes. The caller checks the stream's
 // state afterwards.

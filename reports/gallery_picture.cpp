@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <map>
 
-#include "reports/svg_nodes.h"
+#include "reports/nodes.h"
 
 namespace edgecase {
 namespace {

@@ -10,9 +10,9 @@
 
 namespace edgecase {
 
-// Appends the picture of an image of the entry, with the outlines of primitives where pixels are
-// large, lines round the pixels whose colour differs, and a ring in those that are drawn another
-// number of times. `words` tell it to those who do not see it.
+// Appends the picture of one of the entry's images: with the outlines of primitives if pixels are
+// large, lines around pixels whose colour differs, and a ring in pixels that are drawn another
+// number of times. `words`: the alternative text.
 void add_gallery_picture(pugi::xml_node parent, const GalleryEntry& entry,
                          const GalleryImage& image, const GalleryDifference& difference,
                          const std::string& words);

@@ -14,10 +14,10 @@
 namespace edgecase {
 namespace {
 
-// Scripts that the page's own script adds may run, and no others.
+// Allows scripts that the page's own script adds.
 constexpr const char* kMayLoad = " 'strict-dynamic'";
 
-// How many of the blocks, from the first one, come to `most` bytes or less.
+// The number of leading blocks with at most `most` bytes together.
 std::size_t count_within(const std::vector<std::string>& blocks, std::size_t from,
                          std::size_t most) {
   std::size_t bytes = 0;
@@ -32,8 +32,8 @@ std::string chunk_text(const ReportData& data, std::size_t first, std::size_t co
   return text + "]);\n";
 }
 
-// How many blocks stand in the page, and the names of chunks with their first blocks, as members of
-// the index.
+// Members of the index: the number of blocks in the page, and the names of chunks with their first
+// blocks.
 std::string places_of_blocks(std::size_t inlined,
                              const std::vector<std::pair<std::string, std::size_t>>& chunks) {
   nlohmann::json list = nlohmann::json::array();
@@ -44,7 +44,7 @@ std::string places_of_blocks(std::size_t inlined,
 
 // Bytes of blocks for which a page has room.
 std::size_t room_beside(const std::string& index, std::size_t max_inlined) {
-  constexpr std::size_t kMarkup = 200'000;  // the viewer, and what stands round each block
+  constexpr std::size_t kMarkup = 200'000;  // the viewer, and the markup around each block
   const std::size_t taken = index.size() + kMarkup;
   return taken < kMostOfPage ? std::min(max_inlined, kMostOfPage - taken) : 0;
 }

@@ -2,12 +2,12 @@
 //
 // The HTML report: one file for reviewers that works from disk, without a network.
 //
-// The page's style and scripts live in reports/viewer as plain files; embed_viewer.py joins them
-// into the library at build time, with a Content-Security-Policy that lets exactly these run. What
-// a run found stands in the page as data (report_data.h says how); the viewer shows every text of
-// it as text, never as markup. A page has at most kMostOfPage bytes. Details beyond that are left
-// out, or go into scripts beside it, which the viewer loads, from disk too, when a case of theirs
-// is opened; only then the policy allows the viewer to load anything.
+// The page's style and scripts are plain files in reports/viewer. embed_viewer.py joins them into
+// the library at build time, with a Content-Security-Policy that allows exactly these. The page
+// holds the run's findings as data (report_data.h); the viewer escapes every text. A page has at
+// most kMostOfPage bytes. Details beyond that are omitted, or written to scripts beside the page.
+// The viewer loads such a script, even from disk, when one of its cases is opened; the policy
+// allows loading only if there are such scripts.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@
 
 namespace edgecase {
 
-// One rule as a reviewer reads it; reports know no rule, so the caller brings the words.
+// The texts of one rule, supplied by the caller: reports know no rules.
 struct RuleText {
   std::string id;  // "line.diamond-exit"
   std::string title;
@@ -40,27 +40,28 @@ struct RulingText {
   std::vector<std::pair<std::string, std::string>> facts;  // name -> what it rests on, and so on
 };
 
-// What renderers are measured to follow: name -> "" or a surface -> rule -> alternative.
+// Measured choices of renderers: name -> "" or a surface -> rule -> alternative.
 using ReportProfiles =
     std::map<std::string, std::map<std::string, std::map<std::string, std::string>>>;
 
-// What a report says beyond the results.
+// The texts of a report that are not in the results.
 struct ReportTexts {
   std::vector<RuleText> rules;
   std::vector<RulingText> rulings;
-  // Does the specification leave open all of a cause? Unset: nothing is.
+  // Returns true if the specification leaves open every alternative of the cause. If unset, no
+  // cause is open.
   std::function<bool(const Cause& cause)> is_open_choice;
   ReportProfiles profiles;
   std::optional<Comparison> since;  // from earlier results to these
 };
 
-// Bytes that a page may have, those of details in it, and those of a script beside it.
+// Limits in bytes: of a page, of the details in it, and of a script beside it.
 constexpr std::size_t kMostOfPage = 10'000'000;
 constexpr std::size_t kMaxInlined = 6'000'000;
 constexpr std::size_t kChunk = 1'000'000;
 
-// What becomes of the details for which a page has no room, those of the least telling cases: the
-// page has only their lines in its list, or scripts beside it hold them.
+// Where details go that do not fit into a page, those of the least important cases: they are
+// omitted, except for their lines in the list, or written to scripts beside the page.
 enum class Beyond { left_out, in_scripts };
 
 struct HtmlFile {
@@ -68,8 +69,8 @@ struct HtmlFile {
   std::string text;
 };
 
-// The page, called `name` ("report.html"), and the scripts that belong beside it ("report.1.js"),
-// if any. UTF-8; the same results give the same bytes.
+// The page, named `name` ("report.html"), and the scripts beside it ("report.1.js"), if any. In
+// UTF-8; the same results give the same bytes.
 std::vector<HtmlFile> html_files(const Results& results, const ReportTexts& texts,
                                  const std::string& name, Beyond beyond,
                                  std::size_t max_inlined = kMaxInlined);

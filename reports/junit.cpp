@@ -14,7 +14,7 @@
 namespace edgecase {
 namespace {
 
-// What is not known is left out.
+// Unknown durations are omitted.
 void add_time(pugi::xml_node node, double seconds) {
   if (seconds > 0) node.append_attribute("time") = fmt::format("{:.6f}", seconds).c_str();
 }
@@ -57,7 +57,7 @@ const char* element_of(TestStatus status) {
   return "";
 }
 
-// The document under construction; the counts of a suite are written when the next one begins.
+// The document under construction. A suite's counts are written when the next suite begins.
 class Document {
  public:
   Document(pugi::xml_node root, const Durations& durations) : root_(root), durations_(durations) {}

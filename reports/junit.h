@@ -2,10 +2,9 @@
 //
 // JUnit XML, for continuous integration.
 //
-// One `testsuite` per renderer and in it one `testcase` per case, with the renderer and the id's
-// folders as class; reports/test_outcomes.h says what fails, and what else is a suite. What a
-// test that passed has to tell is its `system-out`. No times are
-// written: the same results give the same bytes.
+// There is one `testsuite` per renderer with one `testcase` per case, whose class is the renderer
+// and the id's folders; reports/test_outcomes.h defines failures and further suites. The message of
+// a passed test is its `system-out`.
 #pragma once
 
 #include <iosfwd>
@@ -15,9 +14,8 @@
 
 namespace edgecase {
 
-// Writes the document in UTF-8; of 20,000 tests it takes less than 30 MB. The caller checks the
-// stream's state afterwards.
-// `durations` may be empty: the same results then give the same bytes.
+// Writes the document in UTF-8: less than 30 MB for 20,000 tests. Without `durations` it has no
+// times, and the same results give the same bytes. The caller checks the stream's state afterwards.
 void write_junit(const Results& results, const Durations& durations, std::ostream& out);
 
 }  // namespace edgecase

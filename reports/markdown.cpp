@@ -23,7 +23,8 @@ std::size_t longest_run_of_backticks(std::string_view text) {
 std::string markdown_code(std::string_view text, std::size_t most) {
   const std::string shown = one_line(shortened(text, most));
   if (shown.empty()) return "-";
-  // A run of backticks ends a span that begins with as many; one space at both ends is dropped.
+  // A span ends at a run of as many backticks as it begins with; one space at either end is
+  // dropped.
   const std::string fence(longest_run_of_backticks(shown) + 1, '`');
   const auto is_lost = [](char c) { return c == '`' || c == ' '; };
   const bool needs_room = is_lost(shown.front()) || is_lost(shown.back());

@@ -9,17 +9,17 @@
 
 namespace edgecase {
 
-// The text as a span of code on one line, backticks included, so that nothing in it is markup; "-"
-// where it is empty. What is beyond `most` bytes is left out, and said to be.
+// The text as a code span on one line, in which nothing is markup; "-" if it is empty. Text beyond
+// `most` bytes is replaced by a note.
 std::string markdown_code(std::string_view text, std::size_t most = 600);
 
-// The same for a cell of a table, which a bar would end.
+// The same for a cell of a table, with bars escaped.
 std::string markdown_cell(std::string_view text, std::size_t most = 600);
 
-// A page that takes whole lines for as long as there is room, and then says that more is left out.
+// A page of whole lines that ends with a note if some did not fit.
 class MarkdownPage {
  public:
-  // At most `most` bytes, the words at its end included.
+  // At most `most` bytes, including the note at the end.
   explicit MarkdownPage(std::size_t most) : most_(most) {}
 
   void add(std::string_view lines);

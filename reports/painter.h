@@ -12,7 +12,7 @@
 
 namespace edgecase {
 
-// Padding goes inside the text that is painted, so that columns line up either way.
+// Padding belongs inside the painted text, so that columns line up with and without colour.
 class Painter {
  public:
   explicit Painter(bool color) : color_(color) {}

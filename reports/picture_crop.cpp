@@ -19,7 +19,7 @@ struct Box {
             std::max(crop.top, y + 1)};
   }
   bool is_empty() const { return crop.right == 0; }
-  // With so many pixels more all round, within the target.
+  // With a margin of `by` pixels, within the target.
   Crop grown(int by, const DifferencePicture& picture) const {
     return {std::max(crop.left - by, 0), std::max(crop.bottom - by, 0),
             std::min(crop.right + by, picture.width), std::min(crop.top + by, picture.height)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which pixels of a case a picture shows, so that a few that matter are not lost in a large target.
+// The part of a case's target that a picture shows, so that a few relevant pixels are not lost in a
+// large target.
 #pragma once
 
 #include "model/verdict.h"
@@ -21,9 +22,9 @@ struct Crop {
   }
 };
 
-// What either side draws and a pixel more all round, within the target. Where that has more than
-// 24 pixels on a side and something differs: what differs, and four pixels more. The whole target
-// where nothing is drawn.
+// The pixels that either side draws, with a margin of one pixel, within the target. If that is more
+// than 24 pixels on a side and something differs, the pixels that differ, with a margin of four. If
+// nothing is drawn, the whole target.
 Crop crop_of(const DifferencePicture& picture);
 
 }  // namespace edgecase

@@ -9,7 +9,7 @@
 #include <pugixml.hpp>
 #include <utility>
 
-#include "reports/svg_nodes.h"
+#include "reports/nodes.h"
 #include "reports/text.h"
 
 namespace edgecase {
@@ -100,7 +100,7 @@ void add_numbers(Node svg, const Plot& plot) {
   for (int y = 0; y < plot.height; ++y) add_number(kLeft / 2 - 2, plot.row(y + .5) + 4, y);
 }
 
-// A node in the same coordinates that shows nothing far outside the target.
+// A node in the same coordinates, clipped to the target and a margin.
 Node add_window(Node svg, const Plot& plot) {
   const double left = plot.column(0) - kMargin;
   const double wide = plot.width * plot.cell + 2 * kMargin;
@@ -114,7 +114,7 @@ Node add_window(Node svg, const Plot& plot) {
   return window;
 }
 
-// Outlines of primitives; the start of a line is marked, and a point is nothing else.
+// Outlines of primitives. The start of a line is marked; a point consists only of that mark.
 void add_scene(Node window, const Plot& plot, const Figure& figure) {
   Node lines = add_layer(window, {{"fill", "none"},
                                   {"stroke", "#1b1f24"},
@@ -128,7 +128,7 @@ void add_scene(Node window, const Plot& plot, const Figure& figure) {
   }
 }
 
-// What the rules look at: regions and the edges that own what lies on them.
+// The geometry that the rules test: regions, and the edges that own samples on them.
 void add_evidence(Node window, const Plot& plot, const std::vector<PixelDecision>& decisions) {
   Node regions = add_layer(window, {{"fill", "#f2a93b"},
                                     {"fill-opacity", ".18"},
@@ -179,11 +179,7 @@ void add_pixel_svg(pugi::xml_node parent, const PixelPicture& picture) {
                   picture.height};
   const double width = kLeft + picture.width * plot.cell + kMargin;
   const double height = kMargin + picture.height * plot.cell + kBelow;
-  Node svg = parent.append_child("svg");
-  set(svg, "xmlns", std::string("http://www.w3.org/2000/svg"));
-  set(svg, "width", width);
-  set(svg, "height", height);
-  set(svg, "viewBox", fmt::format("0 0 {} {}", width, height));
+  Node svg = add_svg(parent, width, height);
   set(svg, "role", std::string("img"));
   set(svg, "aria-label", one_line(picture.title));
   Node paper = svg.append_child("rect");

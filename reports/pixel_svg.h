@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // One pixel of a case, and why it is drawn or not, as an SVG picture: the target's pixels, the
-// primitives' outlines, and what the rule looks at.
+// primitives' outlines, and the geometry that the rule tests.
 //
-// The pixel has a frame, solid where it is drawn and dashed where it is not. A dot is a sample that
-// a primitive covers, a ring one that none does. The picture brings its own background, and no
-// style sheet: it may stand in a page that allows none.
+// The pixel has a frame, solid if it is drawn and dashed if it is not. A dot is a covered sample, a
+// ring an uncovered one. The picture has its own background and no style sheet, for pages that
+// allow none.
 #pragma once
 
 #include <iosfwd>

@@ -27,7 +27,7 @@ std::size_t take_number(const Bytes& bytes, std::size_t& at) {
   return number;
 }
 
-// How often the pixel at byte `at` repeats, itself included.
+// The number of equal pixels from byte `at` on.
 std::size_t run_at(const Bytes& rgba, std::size_t at) {
   std::size_t end = at + kPixel;
   while (end + kPixel <= rgba.size() && std::equal(&rgba[at], &rgba[at] + kPixel, &rgba[end]))

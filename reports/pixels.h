@@ -2,10 +2,10 @@
 //
 // Images inside the HTML report: run-length coded pixels in base64.
 //
-// A report holds the exact image of every case and, of each renderer, only how it differs: the
-// exclusive or of the two images, which is nearly all zero and so nearly free. The code is a
-// sequence of packets: a variable-length number n (7 bits a byte, low bits first, top bit set while
-// more follow); n odd: the four bytes of one pixel follow, n >> 1 times repeated; n even: n >> 1
+// A report holds the exact image of every case and, for each renderer, the exclusive or of its
+// image and exact's, which is nearly all zero. The code is a sequence of packets. Each begins with
+// a variable-length number n (7 bits a byte, low bits first, top bit set while more follow). If n
+// is odd, one pixel of four bytes follows, which is repeated n >> 1 times; if n is even, n >> 1
 // pixels follow. viewer/data.js reads it.
 #pragma once
 

@@ -11,7 +11,7 @@
 namespace edgecase {
 namespace {
 
-// Under which levels of detail are judged.
+// Levels of detail are judged under it.
 constexpr int kLevelRuling = 19;
 
 double distance(float a, float b) {
@@ -90,7 +90,7 @@ RampSummary summarize_ramp(const std::vector<Result::LevelPoint>& ramp) {
     if (no_number) ++summary.not_numbers;
     if (std::isinf(away)) ++summary.infinitely_far;
     keep_largest(summary.from_exact, away);
-    // Nothing compares to NaN, so that the first one stays.
+    // No number is farther than NaN, so the first one stays.
     if ((no_number && !std::isnan(farthest)) || away > farthest) {
       farthest = away;
       summary.farthest = i;
@@ -99,7 +99,7 @@ RampSummary summarize_ramp(const std::vector<Result::LevelPoint>& ramp) {
   return summary;
 }
 
-std::string words_of(const RampSummary& summary) {
+std::string describe(const RampSummary& summary) {
   std::string text = exact_words(summary);
   if (summary.unknown > 0 && summary.unknown < summary.fragments)
     text += fmt::format(", exact has no number at {}", share(summary.unknown, summary.fragments));

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "model/digest.h"
+#include "model/text.h"
 #include "reports/case_details.h"
 #include "reports/report_index.h"
 #include "results/base64.h"
@@ -20,15 +20,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Bytes of a block before it is deflated: what is inflated to open one case.
+// Bytes of a block before deflation; one block is inflated to open a case.
 constexpr std::size_t kBlock = 32 * 1024;
 
-// Names and messages may hold bytes that are no UTF-8; they are replaced, never fatal.
+// Bytes of names and messages that are not UTF-8 are replaced.
 std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// `<` cannot occur in JSON outside strings, so that escaping it everywhere changes no value.
+// In JSON `<` occurs only in strings, so escaping it everywhere changes no value.
 std::string escape_markup(const std::string& json) {
   std::string out;
   out.reserve(json.size());
@@ -41,8 +41,8 @@ std::string escape_markup(const std::string& json) {
   return out;
 }
 
-// Collects lines into blocks, of about `most` bytes in all. Further lines have numbers as if they
-// stood in a block more, and are not made.
+// Collects lines into blocks of about `most` bytes together. Further lines are numbered as if in
+// one more block, but not made.
 class Blocks {
  public:
   explicit Blocks(std::size_t most) : most_(most) {}
@@ -57,7 +57,7 @@ class Blocks {
     text_ += '\n';
     return lines_++;
   }
-  // What was collected; nothing can be added afterwards.
+  // The collected blocks; nothing can be added afterwards.
   std::vector<std::string> take() {
     if (!text_.empty()) close();
     return std::move(blocks_);
@@ -86,7 +86,7 @@ class Blocks {
   std::vector<std::string> blocks_;
 };
 
-// Those with details: unexpected ones first, then the worst, then in their order.
+// Indices of the cases with details: unexpected ones first, then the worst, then in their order.
 std::vector<std::size_t> worth_a_look(const Results& results) {
   std::vector<std::size_t> order(results.cases.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

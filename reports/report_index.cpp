@@ -21,12 +21,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kScenes = "scenes/";  // ids of cases that draw whole scenes
 
-// The part of an id that the cases of a file share.
+// The part of an id that all cases of a file share.
 std::string_view stem_of(const std::string& id) {
   return std::string_view(id).substr(0, id.find(':'));
 }
 
-// Numbers texts in the order in which they come.
+// Numbers distinct texts in the order in which they are added.
 class Names {
  public:
   std::size_t number(const std::string& name) {
@@ -41,7 +41,7 @@ class Names {
   Json list_ = Json::array();
 };
 
-// Rule -> the worst that was found by it in one answer.
+// Rule -> the worst verdict under it in one answer.
 using Findings = std::map<std::string, Verdict>;
 
 class FindingsOf {
@@ -68,7 +68,7 @@ class FindingsOf {
     return is_contested ? Verdict::contested : Verdict::violation;
   }
 
-  // Of what is legal by itself.
+  // The verdict of a legal difference with this cause.
   Verdict verdict_of(const Cause& cause) const {
     if (latitude_ == Latitude::none) return Verdict::violation;
     const bool is_open = !cause.empty() && texts_->is_open_choice && texts_->is_open_choice(cause);
@@ -98,7 +98,7 @@ Json outcome_json(const KnownResult& result, const Findings& findings, Names& ru
   return Json::array({name_of(result.verdict), name_of(result.standing), std::move(found)});
 }
 
-// Outcomes that many cases share, each once.
+// The distinct outcomes of cases.
 class Outcomes {
  public:
   std::size_t number(Json outcome) {
@@ -113,7 +113,7 @@ class Outcomes {
   Json list_ = Json::array();
 };
 
-// The cases with something to tell, by index, the worst first.
+// Indices of the cases in which something differs, the worst first.
 Json order_of(const Results& results) {
   Json order = Json::array();
   std::set<std::size_t> seen;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// What the HTML report needs before a case is opened, as JSON: the first page and the list.
+// The index of the HTML report as JSON: its first page and the list of cases.
 //
 // {"tool", "policy", "interrupted", "left_out", "renderers", "rules", "rulings", "diagnostics",
-// "faults", "names", "heads", "outcomes", "cases", "order", "untrue"}. Cases are many and much
-// alike, so that what they share stands once: "names" are ids of rules, "heads" what cases of one
-// file share, "outcomes" are [verdict, standing, [index of a rule, worst verdict by it, ...]]. A
-// case is [head, rest of its id, fragments, outcomes' indices by renderer, details or absent, 1
-// where it has levels of detail along a row]: "details" is the number of its line, counted over all
-// blocks (report_data.h). "order" are the indices of cases in which something differs, the worst
-// first (results/worst_first.h). "untrue" are hand-drawn truths that exact does not meet, [case,
-// texts]. A renderer holds its "clusters" (results/clusters.h) in their order, with "at", the
-// number of the smallest case's disagreement counted from 1; "values", per attribute the sum of all
-// cases, with the histogram of errors; and "scenes", how the pixels of whole scenes fare.
+// "faults", "names", "heads", "outcomes", "cases", "order", "untrue"}. Many cases share parts,
+// which are stored once: "names" are ids of rules, "heads" the common parts of a file's cases,
+// "outcomes" are [verdict, standing, [index of a rule, worst verdict under it, ...]]. A case is
+// [head, rest of its id, fragments, indices of outcomes by renderer, details or absent, 1 if it has
+// levels of detail along a row]; "details" is the number of its line, counted over all blocks
+// (report_data.h). "order" are the indices of cases in which something differs, the worst first
+// (results/worst_first.h). "untrue" are hand-drawn expectations that exact does not meet, [case,
+// texts]. A renderer has its "clusters" (results/clusters.h) in their order, with "at", the number
+// of the smallest case's disagreement counted from 1; "values", the sums over all cases by
+// attribute, with histograms of errors; and "scenes", the pixels of whole scenes by kind.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -23,13 +23,13 @@
 
 namespace edgecase {
 
-// The line of the details that each case has, and of the text that each head has; -1: none.
+// The line with the details of each case, and with the text of each head; -1: none.
 struct DetailLines {
   std::vector<long> of_case;
   std::vector<long> of_head;
 };
 
-// Which cases share their words: by case, the index of its head; and of each head its first case.
+// The head of each case, and the first case of each head, as indices.
 struct CaseHeads {
   std::vector<std::size_t> of_case;
   std::vector<std::size_t> first_case;

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "reports/nodes.h"
 #include "reports/page.h"
-#include "reports/svg_nodes.h"
 #include "reports/text.h"
 
 namespace edgecase {
@@ -16,40 +16,15 @@ namespace {
 
 using Node = pugi::xml_node;
 
-constexpr unsigned kFormat =
-    pugi::format_raw | pugi::format_no_declaration | pugi::format_no_empty_element_tags;
-
-Node add(Node parent, const char* name, const char* kind = nullptr) {
-  Node node = parent.append_child(name);
-  if (kind != nullptr) set(node, "class", std::string(kind));
-  return node;
-}
-
-void append_words(Node node, const std::string& words) {
-  node.append_child(pugi::node_pcdata).set_value(xml_text(words).c_str());
-}
-
-Node add_words(Node parent, const char* name, const char* kind, const std::string& words) {
-  Node node = add(parent, name, kind);
-  append_words(node, words);
-  return node;
-}
-
-Node add_link(Node parent, const std::string& target, const std::string& words) {
-  Node link = add_words(parent, "a", nullptr, words);
-  set(link, "href", target);
-  return link;
-}
-
-// What stands between backquotes is code.
+// Text between backquotes is code.
 void append_prose(Node node, std::string_view text) {
   for (bool is_code = false; !text.empty(); is_code = !is_code) {
     const std::string part(text.substr(0, text.find('`')));
     text.remove_prefix(std::min(text.size(), part.size() + 1));
     if (is_code)
-      add_words(node, "code", nullptr, part);
+      add_text(node, "code", nullptr, part);
     else if (!part.empty())
-      append_words(node, part);
+      append_text(node, part);
   }
 }
 
@@ -61,7 +36,7 @@ std::string anchor_of(const BookRuling& ruling) {
   return fmt::format("ruling-{}", ruling.number);
 }
 
-// Ids of cases hold '/', ':' and '=', which may stand in a fragment of an address.
+// Ids of cases contain '/', ':' and '=', which are allowed in the fragment of an address.
 std::string anchor_of(const BookScene& scene) {
   return "scene-" + scene.case_id;
 }
@@ -70,14 +45,14 @@ std::string question_of(const BookScene& scene) {
   return fmt::format("Is pixel ({}, {}) drawn?", scene.picture.x, scene.picture.y);
 }
 
-// Paragraphs, which blank lines end, and tables, whose lines start with a space.
+// Essays consist of paragraphs, ended by blank lines, and tables, whose lines start with a space.
 void add_essay(Node parent, const std::string& essay) {
   std::istringstream lines(essay);
   std::string table;
   std::string paragraph;
   const auto end_block = [&] {
     if (!paragraph.empty()) append_prose(add(parent, "p", "about"), paragraph);
-    if (!table.empty()) add_words(parent, "pre", "scroll", table);
+    if (!table.empty()) add_text(parent, "pre", "scroll", table);
     paragraph.clear();
     table.clear();
   };
@@ -92,7 +67,7 @@ void add_essay(Node parent, const std::string& essay) {
   end_block();
 }
 
-// "Alternatives" as a table; what OpenGL's exact policy chooses is marked.
+// The alternatives as a table; the one of policy `opengl` is marked.
 void add_alternatives(Node parent, const BookRule& rule) {
   Node scroll = add(parent, "div", "scroll");
   set(scroll, "tabindex", std::string("0"));
@@ -101,19 +76,19 @@ void add_alternatives(Node parent, const BookRule& rule) {
   Node table = add(scroll, "table", "choices");
   Node head = add(add(table, "thead"), "tr");
   for (const char* title : {"Alternative", "By OpenGL it is", "Meaning"})
-    set(add_words(head, "th", nullptr, title), "scope", std::string("col"));
+    set(add_text(head, "th", nullptr, title), "scope", std::string("col"));
   Node rows = add(table, "tbody");
   for (const BookAlternative& alternative : rule.alternatives) {
     Node row = add(rows, "tr");
     Node name = add(row, "th");
     set(name, "scope", std::string("row"));
-    add_words(name, "code", "chip", alternative.name);
-    if (alternative.name == rule.standard) add_words(name, "p", "faint", "exact follows it");
+    add_text(name, "code", "chip", alternative.name);
+    if (alternative.name == rule.standard) add_text(name, "p", "faint", "exact follows it");
     const bool is_illegal = alternative.openness == "illegal";
-    add_words(add(row, "td"), "span", is_illegal ? "badge b-violation" : "badge b-convention",
-              is_illegal                       ? "forbidden"
-              : alternative.openness == "open" ? "left open"
-                                               : "mandated");
+    add_text(add(row, "td"), "span", is_illegal ? "badge b-violation" : "badge b-convention",
+             is_illegal                       ? "forbidden"
+             : alternative.openness == "open" ? "left open"
+                                              : "mandated");
     append_prose(add(row, "td"), alternative.meaning);
   }
 }
@@ -130,29 +105,29 @@ std::map<std::string, std::string> files_of_rules(const RuleBook& book) {
 void add_rule(Node section, const RuleBook& book, const BookRule& rule) {
   Node title = add(section, "h3");
   set(title, "id", rule.id);
-  add_words(title, "code", nullptr, rule.id);
+  add_text(title, "code", nullptr, rule.id);
   append_prose(add(section, "p", "about"), sentence(rule.title));
   Node facts = add(section, "p", "facts");
-  add_words(facts, "span", nullptr, "OpenGL 4.6 core, " + rule.spec);
+  add_text(facts, "span", nullptr, "OpenGL 4.6 core, " + rule.spec);
   Node latitude = add(section, "p", "about");
-  add_words(latitude, "b", nullptr, "Latitude: ");
+  add_text(latitude, "b", nullptr, "Latitude: ");
   append_prose(latitude, sentence(rule.latitude));
   for (const BookRuling& ruling : rule.rulings) {
     Node text = add(section, "p", "ruling");
     set(text, "id", anchor_of(ruling));
-    add_words(text, "b", nullptr, fmt::format("Ruling {}. ", ruling.number));
+    add_text(text, "b", nullptr, fmt::format("Ruling {}. ", ruling.number));
     append_prose(text, sentence(ruling.text));
     if (ruling.facts.empty()) continue;
     Node beside = add(section, "dl", "ruling-facts");
     for (const auto& [name, fact] : ruling.facts) {
-      add_words(beside, "dt", nullptr, name);
+      add_text(beside, "dt", nullptr, name);
       append_prose(add(beside, "dd"), sentence(fact));
     }
   }
   if (!rule.alike.empty()) {
-    Node alike = add_words(section, "p", "about", "Its alternatives are those of ");
+    Node alike = add_text(section, "p", "about", "Its alternatives are those of ");
     add_link(alike, files_of_rules(book).at(rule.alike) + "#" + rule.alike, rule.alike);
-    append_words(alike, ".");
+    append_text(alike, ".");
   } else if (!rule.alternatives.empty()) {
     add_alternatives(section, rule);
   }
@@ -160,10 +135,10 @@ void add_rule(Node section, const RuleBook& book, const BookRule& rule) {
 
 void add_names(Node parent, const std::string& title, const std::vector<std::string>& names) {
   if (names.empty()) return;
-  Node line = add_words(parent, "p", "named", title + " ");
+  Node line = add_text(parent, "p", "named", title + " ");
   for (const std::string& name : names) {
-    add_words(line, "code", "chip", name);
-    append_words(line, " ");
+    add_text(line, "code", "chip", name);
+    append_text(line, " ");
   }
 }
 
@@ -173,23 +148,23 @@ void add_scene(Node section, const BookScene& scene) {
   Node shown = add(article, "div", "shown-row");
   add_pixel_svg(add(shown, "figure", "shown"), scene.picture);
   Node told = add(shown, "div", "told");
-  add_words(told, "h3", nullptr, question_of(scene));
+  add_text(told, "h3", nullptr, question_of(scene));
   Node answer = add(told, "p", "answer");
-  add_words(answer, "span", scene.is_drawn ? "badge b-convention" : "badge b-not-run",
-            scene.is_drawn ? "drawn" : "not drawn");
-  append_words(answer, " " + sentence(scene.answer));
+  add_text(answer, "span", scene.is_drawn ? "badge b-convention" : "badge b-not-run",
+           scene.is_drawn ? "drawn" : "not drawn");
+  append_text(answer, " " + sentence(scene.answer));
   Node about = add(told, "p", "about");
-  add_words(about, "b", nullptr, sentence(scene.title) + " ");
-  append_words(about, scene.why);
-  add_words(told, "pre", "lines words", scene.words);
+  add_text(about, "b", nullptr, sentence(scene.title) + " ");
+  append_text(about, scene.why);
+  add_text(told, "pre", "lines words", scene.words);
   if (!scene.drawn_by.empty() && !scene.left_out_by.empty()) {
-    Node others = add_words(told, "p", "about", "The alternatives of ");
+    Node others = add_text(told, "p", "about", "The alternatives of ");
     add_link(others, "#" + scene.rule, scene.rule);
-    append_words(others, " differ here.");
+    append_text(others, " differ here.");
     add_names(told, "Drawing it:", scene.drawn_by);
     add_names(told, "Leaving it out:", scene.left_out_by);
   }
-  add_words(add(told, "p", "faint"), "code", nullptr, scene.command);
+  add_text(add(told, "p", "faint"), "code", nullptr, scene.command);
 }
 
 // The chapters, the index first; `here` is the page's own file.
@@ -198,7 +173,7 @@ void add_navigation(Node body, const RuleBook& book, const std::string& here) {
   set(nav, "aria-label", std::string("Chapters"));
   const auto add_page = [&](const std::string& file, const std::string& title) {
     if (file == here)
-      set(add_words(nav, "b", nullptr, title), "aria-current", std::string("page"));
+      set(add_text(nav, "b", nullptr, title), "aria-current", std::string("page"));
     else
       add_link(nav, file, title);
   };
@@ -208,27 +183,22 @@ void add_navigation(Node body, const RuleBook& book, const std::string& here) {
 
 void add_head(Node body, const std::string& title, const std::string& about) {
   Node head = add(body, "header", "gallery-head");
-  add_words(head, "p", "faint", "Edgecase rule book");
-  add_words(head, "h1", nullptr, title);
-  add_words(head, "p", "about", about);
+  add_text(head, "p", "faint", "Edgecase rule book");
+  add_text(head, "h1", nullptr, title);
+  add_text(head, "p", "about", about);
 }
 
 void add_legend(Node body) {
-  add_words(body, "p", "legend",
-            "In the pictures y points up. Blue pixels have a fragment, and darker ones have more. "
-            "The pixel in question has a frame, which is dashed if the pixel is not drawn. A dot "
-            "is a covered sample, a ring one that is not covered. A thick edge owns the samples on "
-            "it. A shaded shape is the region that the rule tests.");
+  add_text(body, "p", "legend",
+           "In the pictures y points up. Blue pixels have a fragment, and darker ones have more. "
+           "The pixel in question has a frame, which is dashed if the pixel is not drawn. A dot "
+           "is a covered sample, a ring one that is not covered. A thick edge owns the samples on "
+           "it. A shaded shape is the region that the rule tests.");
 }
 
 void save(const std::string& title, const pugi::xml_document& document, std::ostream& out) {
-  pugi::xml_document text;
-  text.append_child(pugi::node_pcdata).set_value(xml_text(title).c_str());
-  out << kBookBeforeTitle;
-  text.save(out, "", kFormat);
-  out << kBookBeforeBody;
-  document.save(out, "", kFormat);
-  out << kBookAfterBody;
+  out << kBookBeforeTitle << html_of(title) << kBookBeforeBody << html_of(document)
+      << kBookAfterBody;
 }
 
 void add_chapters(Node body, const RuleBook& book) {
@@ -236,20 +206,20 @@ void add_chapters(Node body, const RuleBook& book) {
     Node card = add(body, "section", "card");
     Node title = add(card, "h2");
     add_link(title, chapter.name + ".html", chapter.title);
-    add_words(card, "p", "about", chapter.about);
+    add_text(card, "p", "about", chapter.about);
     Node rules = add(card, "p", "named");
     for (const BookSection& section : chapter.sections)
       for (const BookRule& rule : section.rules) {
         Node link = add_link(rules, chapter.name + ".html#" + rule.id, rule.id);
         set(link, "class", std::string("mono"));
-        append_words(rules, " ");
+        append_text(rules, " ");
       }
   }
 }
 
 void add_scene_list(Node body, const RuleBook& book) {
   Node card = add(body, "section", "card");
-  add_words(card, "h2", nullptr, "Worked scenes");
+  add_text(card, "h2", nullptr, "Worked scenes");
   Node list = add(card, "ol");
   for (const BookChapter& chapter : book.chapters)
     for (const BookSection& section : chapter.sections)
@@ -268,11 +238,11 @@ void add_ruling_list(Node body, const RuleBook& book) {
         for (const BookRuling& ruling : rule.rulings)
           places[ruling.number] = chapter.name + ".html#" + anchor_of(ruling);
   Node card = add(body, "section", "card");
-  add_words(card, "h2", nullptr, "Rulings by number");
+  add_text(card, "h2", nullptr, "Rulings by number");
   Node line = add(card, "p", "named");
   for (const auto& [number, place] : places) {
     add_link(line, place, fmt::format("Ruling {}", number));
-    append_words(line, " ");
+    append_text(line, " ");
   }
 }
 
@@ -290,12 +260,12 @@ void write_book_chapter(const RuleBook& book, std::size_t index, std::ostream& o
   if (has_scenes) add_legend(body);
   for (const BookSection& section : chapter.sections) {
     Node card = add(body, "section", "card");
-    add_words(card, "h2", nullptr, section.title);
+    add_text(card, "h2", nullptr, section.title);
     add_essay(card, section.essay);
     for (const BookScene& scene : section.scenes) add_scene(card, scene);
     for (const BookRule& rule : section.rules) add_rule(card, book, rule);
   }
-  add_words(body, "footer", "faint", book.tool);
+  add_text(body, "footer", "faint", book.tool);
   save(chapter.title + " - Edgecase rule book", document, out);
 }
 
@@ -307,7 +277,7 @@ void write_book_index(const RuleBook& book, std::ostream& out) {
            "it leaves open, what implementations do, and how differences are judged where the text "
            "is silent. Words and pictures come from the program that judges.");
   add_navigation(body, book, "index.html");
-  add_words(
+  add_text(
       body, "p", "about",
       "A rule has alternatives. One is left open if the specification leaves the choice to the "
       "implementation. It is mandated if no other conforms. It is forbidden if it is known from "
@@ -317,7 +287,7 @@ void write_book_index(const RuleBook& book, std::ostream& out) {
   add_chapters(body, book);
   add_scene_list(body, book);
   add_ruling_list(body, book);
-  add_words(body, "footer", "faint", book.tool);
+  add_text(body, "footer", "faint", book.tool);
   save("Edgecase rule book", document, out);
 }
 

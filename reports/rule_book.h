@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The rule book: pages that teach the rules, a chapter each, and an index.
+// The rule book: a page for each chapter, which teaches its rules, and an index.
 //
-// Static HTML files without a script, which load and send nothing, like a gallery's. Every text is
-// shown as text, never as markup. Reports know no rule: the caller brings the catalogue's words,
-// and the words and pictures of `edgecase explain`.
+// Static HTML files without a script that load and send nothing, like a gallery's. Every text is
+// escaped. Reports know no rules: the caller supplies the catalogue's texts, and the texts and
+// pictures of `edgecase explain`.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ struct BookAlternative {
 struct BookRuling {
   int number = 0;
   std::string text;
-  std::vector<std::pair<std::string, std::string>> facts;  // name -> what it rests on, and so on
+  std::vector<std::pair<std::string, std::string>> facts;  // name -> text
 };
 
 struct BookRule {
@@ -47,12 +47,12 @@ struct BookScene {
   std::string why;     // the case's own words
   std::string answer;  // "Drawn by primitive 0", and so on
   bool is_drawn = false;
-  std::string words;    // what `command` prints of the pixel
+  std::string words;    // the output of `command` about the pixel
   std::string command;  // as one would type it
   PixelPicture picture;
   std::string rule;  // whose alternatives are compared
-  // Alternatives of the rule, the standard one among them, that draw the pixel and that do not;
-  // shown where there are both.
+  // Alternatives of the rule, including the standard one, that draw the pixel and that do not;
+  // shown if there are both.
   std::vector<std::string> drawn_by;
   std::vector<std::string> left_out_by;
 };

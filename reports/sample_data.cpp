@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kItem = 4;  // bytes
 
-// Planes of items as one list, sample by sample within each pixel.
+// Converts planes of items to a list that is ordered by pixel, then by sample.
 Bytes by_pixel(const Bytes& planes, std::size_t samples) {
   Bytes out;
   out.reserve(planes.size());
@@ -36,7 +36,7 @@ Bytes bytes_of(const std::vector<std::uint32_t>& numbers) {
 
 struct Part {
   const char* name;
-  Bytes bytes;  // empty: not told
+  Bytes bytes;  // empty: not reported
 };
 
 std::vector<Part> parts_of(const SampleImage& image) {

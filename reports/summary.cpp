@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "model/counted.h"
 #include "model/renderer.h"
+#include "model/text.h"
 #include "reports/cluster_summary.h"
 #include "reports/painter.h"
 #include "reports/text.h"
@@ -27,22 +27,14 @@ constexpr std::size_t kLabelWidth = 12;
 constexpr Verdict kWorstFirst[] = {Verdict::violation,  Verdict::contested, Verdict::permitted,
                                    Verdict::convention, Verdict::agree,     Verdict::not_run};
 
-std::size_t unexpected_of(const Results& results, std::size_t renderer) {
-  const auto stands_out = [renderer](const CaseResults& one) {
-    return renderer < one.results.size() && is_unexpected(one.results[renderer].standing);
-  };
-  return static_cast<std::size_t>(
-      std::count_if(results.cases.begin(), results.cases.end(), stands_out));
-}
-
 // "41 s", and "0.4 s" below ten.
-std::string words_of_seconds(double seconds) {
+std::string duration_text(double seconds) {
   constexpr double kFew = 9.95;
   return fmt::format("{:.{}f} s", seconds, seconds < kFew ? 1 : 0);
 }
 
-// "30,718 cases, 2 renderers: 0 unexpected, 41 s", in green where all is well, else in red. What
-// else makes a run fail stands there, too.
+// "30,718 cases, 2 renderers: 0 unexpected, 41 s", in green or, if the run fails, in red. Other
+// reasons for failing are added.
 std::string first_line(const Results& results, std::optional<double> seconds,
                        const Painter& paint) {
   std::size_t drawings = 0;
@@ -58,7 +50,7 @@ std::string first_line(const Results& results, std::optional<double> seconds,
   if (results.interrupted) found.emplace_back("interrupted");
   const bool is_good = unexpected == 0 && found.empty();
   found.insert(found.begin(), grouped(unexpected) + " unexpected");
-  if (seconds) found.push_back(words_of_seconds(*seconds));
+  if (seconds) found.push_back(duration_text(*seconds));
   const std::string text = fmt::format("{}, {}: {}", counted(results.cases.size(), "case", "cases"),
                                        counted(results.renderers.size(), "renderer", "renderers"),
                                        fmt::join(found, ", "));
@@ -83,13 +75,13 @@ class Table {
         return found == counts.end() ? std::size_t{0} : found->second;
       });
     write_row(out, "unexpected", style_of(Verdict::violation),
-              [&](std::size_t r) { return unexpected_of(results_, r); });
+              [&](std::size_t r) { return count_unexpected(results_, r); });
   }
 
  private:
   using Count = std::function<std::size_t(std::size_t renderer)>;
 
-  // None where all counts are 0.
+  // Nothing if all counts are 0.
   void write_row(std::ostream& out, const std::string& label, fmt::text_style style,
                  const Count& count) const {
     std::size_t all = 0;
@@ -110,7 +102,7 @@ class Table {
   std::vector<std::string> names_;
 };
 
-// Whose known faults hold for a recording's answers.
+// The driver whose known faults apply to a recording.
 void write_recordings(const Results& results, std::ostream& out) {
   for (const RendererInfo& info : results.renderers)
     if (address_of(info).starts_with(kRecordingPrefix) && known_as(info) != info.name)
@@ -118,7 +110,7 @@ void write_recordings(const Results& results, std::ostream& out) {
                          one_line(known_as(info)), one_line(info.device), one_line(info.version));
 }
 
-// A heading and at most kMaxListed of the lines.
+// A heading and at most kMaxListed lines.
 void write_list(std::ostream& out, const std::string& heading,
                 const std::vector<std::string>& lines) {
   if (lines.empty()) return;
@@ -136,7 +128,7 @@ std::vector<std::string> drawn_lines(const Results& results, const Painter& pain
   return lines;
 }
 
-// Known faults that are not as their files say.
+// Known faults whose counts differ from their files.
 std::vector<std::string> fault_lines(const Results& results, const Painter& paint) {
   std::vector<std::string> lines;
   for (const FaultSeen& seen : results.faults)

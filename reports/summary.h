@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The terminal's summary: one line that says how the run ended, what nobody expected by cause
-// (reports/unexpected_summary.h), what is wrong with the suite, then how many cases got which
-// verdict from which renderer, and the causes of all differences (reports/cluster_summary.h).
+// The summary on the terminal: one line with the outcome of the run, unexpected results by cause
+// (reports/unexpected_summary.h), faults of the suite, the number of cases by verdict for each
+// renderer, and the causes of all differences (reports/cluster_summary.h).
 #pragma once
 
 #include <iosfwd>
@@ -13,14 +13,13 @@
 
 namespace edgecase {
 
-// `color`: with ANSI escapes. `seconds`: what the run took, where that is known. Of each list at
-// most 20 entries are written and then "and N more". Of no cases there is no table. Text from files
-// and renderers is written on one line with its control characters made visible, so that no title
-// can steer the terminal.
+// `color`: with ANSI escapes. `seconds`: the duration of the run, if known. Of each list at most 20
+// entries are written, then "and N more". Text from files and renderers is written on one line with
+// control characters made visible, so that no title can control the terminal.
 void write_summary(const Results& results, bool color, std::ostream& out,
                    std::optional<double> seconds = {});
 
-// What changed since earlier results: for each renderer how many cases, and the ten largest groups
+// Changes since earlier results: for each renderer the number of cases, and the ten largest groups
 // by kind of change, rule and cause.
 void write_changes(const Comparison& comparison, bool color, std::ostream& out);
 

@@ -9,10 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "model/counted.h"
+#include "model/text.h"
 #include "reports/explain_command.h"
 #include "reports/markdown.h"
 #include "reports/text.h"
+#include "reports/unexpected_summary.h"
 #include "results/clusters.h"
 #include "results/worst_first.h"
 
@@ -25,21 +26,13 @@ constexpr std::size_t kMostClusters = 10;
 constexpr Verdict kWorstFirst[] = {Verdict::violation,  Verdict::contested, Verdict::permitted,
                                    Verdict::convention, Verdict::agree,     Verdict::not_run};
 
-// A heading, the head of a table or none, and at most `most` of the lines.
+// A heading, the head of a table or none, and at most `most` lines.
 void add_list(const std::string& heading, const std::string& head,
               const std::vector<std::string>& lines, std::size_t most, MarkdownPage& page) {
   if (lines.empty()) return;
   page.add(fmt::format("\n## {}: {}\n\n{}", heading, lines.size(), head));
   for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) page.add(lines[i] + "\n");
   if (lines.size() > most) page.add(fmt::format("\nand {} more\n", lines.size() - most));
-}
-
-std::size_t count_unexpected(const Results& results, std::size_t renderer) {
-  const auto stands_out = [renderer](const CaseResults& one) {
-    return renderer < one.results.size() && is_unexpected(one.results[renderer].standing);
-  };
-  return static_cast<std::size_t>(
-      std::count_if(results.cases.begin(), results.cases.end(), stands_out));
 }
 
 void add_table(const Results& results, MarkdownPage& page) {
@@ -79,7 +72,7 @@ void add_unexpected(const Results& results, MarkdownPage& page) {
       kMostUnexpected, page);
 }
 
-// What is told and is not red.
+// Contested results, which are reported but not failures.
 void add_contested(const Results& results, MarkdownPage& page) {
   add_list("Contested", "| case | renderer | verdict | why |\n|---|---|---|---|\n",
            rows_of(results,
@@ -102,7 +95,7 @@ void add_faults(const Results& results, MarkdownPage& page) {
            page);
 }
 
-// The known faults: those that are not as their files say, then all of them, folded.
+// The known faults: those whose counts differ from their files, then all of them, folded.
 void add_known(const Results& results, MarkdownPage& page) {
   std::vector<std::string> changed;
   std::vector<std::string> known;
@@ -127,10 +120,10 @@ std::string cluster_row(const Cluster& cluster, const RendererInfo& renderer,
                                                              : "contested",
                      markdown_cell(title_of(cluster)), cluster.disagreements,
                      cluster.attribute.empty() ? "" : " values", cluster.cases,
-                     markdown_cell(words_of(command)));
+                     markdown_cell(command_line(command)));
 }
 
-// Folded: what is known and expected is among it.
+// Folded, since they include known and expected differences.
 void add_clusters(const Results& results, std::size_t renderer, MarkdownPage& page) {
   const std::vector<Cluster> clusters = clusters_of(results, renderer);
   if (clusters.empty()) return;

@@ -16,9 +16,10 @@
 namespace edgecase {
 namespace {
 
-// Details list this many disagreements; the results file has all of them.
+// Details list at most this many disagreements; the results file has all of them.
 constexpr std::size_t kMostListed = 20;
-// Of a disagreement's line. Sentences of ours are shorter; what a renderer says may be anything.
+// The longest line of a disagreement in bytes. Our own sentences are shorter; a renderer's may be
+// of any length.
 constexpr std::size_t kMostOfLine = 1000;
 
 constexpr std::size_t kMostBytes = 24'000'000;  // of XML, of all tests
@@ -38,7 +39,7 @@ std::string line_of(const std::string& text) {
   return xml_text(shortened(text, kMostOfLine)) + "\n";
 }
 
-// What stands below the disagreements.
+// The lines below the disagreements.
 std::string ending_of(const CaseResults& one, const Result& result, const Results& results,
                       const RendererInfo& renderer) {
   std::string text;
@@ -50,11 +51,11 @@ std::string ending_of(const CaseResults& one, const Result& result, const Result
     const Disagreement& worst = *worst_first(result).front();
     command.pixel = {worst.x, worst.y};
   }
-  return text + line_of("explained by: " + words_of(command));
+  return text + line_of("explained by: " + command_line(command));
 }
 
-// The title, the reason why there is no answer, disagreements for as long as there is room, and
-// what stands below them; nothing where there is room for nothing. `most`: bytes of XML.
+// The title, the reason for a missing answer, as many disagreements as fit, and the lines below
+// them; empty if nothing fits. `most`: bytes of XML.
 std::string details_of(const CaseResults& one, const Result& result, const std::string& ending,
                        std::size_t most) {
   std::string text = one.title.empty() ? "" : line_of(one.title);
@@ -83,7 +84,7 @@ void append_folders(const std::string& id, std::vector<std::string>& suite) {
   }
 }
 
-// Has it something to tell? What is expected or known has not.
+// True if the test has a message: neither expected nor known results have one.
 bool is_told(const KnownResult& result) {
   return result.standing != Standing::expected && result.standing != Standing::known;
 }
@@ -111,7 +112,7 @@ class Visit {
   }
 
  private:
-  // A name that was had before gets a number.
+  // Adds a number to a name that is already used.
   static std::string unique(const std::string& name, std::set<std::string>& names) {
     std::string result = name;
     for (int n = 2; !names.insert(result).second; ++n) result = fmt::format("{} ({})", name, n);
@@ -181,7 +182,7 @@ class Visit {
     outcome.details = details_of(one, result, ending_of(one, result, results_, renderer), most_);
   }
 
-  // One error per file, with all that is wrong with it.
+  // One error per file, with all its faults.
   void visit_diagnostics() {
     std::vector<TestOutcome> files;
     std::map<std::string, std::size_t> indices;
@@ -226,7 +227,7 @@ class Visit {
     }
   }
 
-  // A run that was stopped must not look like a small one that passed.
+  // An interrupted run must not look like a small one that passed.
   void visit_interruption() {
     begin("run");
     TestOutcome outcome = test("complete");
@@ -244,7 +245,7 @@ class Visit {
   std::set<std::string> names_;  // of the suite
 };
 
-// What each test may say so that all together stay below kMostBytes.
+// The bytes for the details of one test, so that all tests together stay below kMostBytes.
 std::size_t share_of_details(const Results& results) {
   std::size_t tests = 0;
   std::size_t size = 0;

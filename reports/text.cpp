@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "model/counted.h"
+#include "model/text.h"
 #include "results/worst_first.h"
 #include "rules/all_rules.h"
 

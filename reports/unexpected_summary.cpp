@@ -10,7 +10,7 @@
 #include <tuple>
 #include <utility>
 
-#include "model/counted.h"
+#include "model/text.h"
 #include "reports/explain_command.h"
 #include "reports/text.h"
 #include "results/clusters.h"
@@ -75,7 +75,7 @@ std::string command_for(const CaseResults& one, const Result& result, const Rend
                         const std::string& policy) {
   ExplainCommand command{one.file, one.id, asked_as(renderer), policy, {}};
   if (const Disagreement* d = leading(result)) command.pixel = {d->x, d->y};
-  return words_of(command);
+  return command_line(command);
 }
 
 void write_group(const UnexpectedGroup& group, const Results& results, const Painter& paint,
@@ -124,6 +124,12 @@ std::size_t count_unexpected(const Results& results) {
     count += static_cast<std::size_t>(std::ranges::count_if(
         one.results, [](const KnownResult& result) { return is_unexpected(result.standing); }));
   return count;
+}
+
+std::size_t count_unexpected(const Results& results, std::size_t renderer) {
+  return static_cast<std::size_t>(std::ranges::count_if(results.cases, [&](const CaseResults& one) {
+    return renderer < one.results.size() && is_unexpected(one.results[renderer].standing);
+  }));
 }
 
 void write_unexpected(const Results& results, const Painter& paint, std::ostream& out) {

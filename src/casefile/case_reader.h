@@ -39,4 +39,10 @@ struct CaseFields {
 CaseFields read_case_fields(const JsonNode& root, std::span<const std::string> known_rules,
                             MeshShelf& meshes, TextureShelf& textures, Findings& findings);
 
+// The JSON schema of case files, for editors to help and check (draft 2020-12): the parts of all
+// nouns, each made beside its reader, within the root.
+
+// The text of cases/case.schema.json.
+std::string case_schema();
+
 }  // namespace edgecase

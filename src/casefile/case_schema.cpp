@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/case_schema.h"
+#include "casefile/case_reader.h"
 
 #include <algorithm>
 #include <iterator>
@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "casefile/case_reader.h"
 #include "casefile/json/schema.h"
 #include "casefile/mesh/mesh.h"
 #include "casefile/mesh/transform.h"
@@ -280,12 +279,12 @@ std::string case_schema() {
   for_each_plain_field<Details>([&](const auto& field) { details.emplace_back(field.case_key); });
   return lay_out(json_object(schema_pieces(
       kCaseSchema,
-      {named("required", schema_names(case_keys().required)),
+      {named("required", json_strings(case_keys().required)),
        named("text", schema_number(TextLimits().most)),
-       named("word", schema_number(kWordLimits.most)), named("details", schema_names(details)),
+       named("word", schema_number(kWordLimits.most)), named("details", json_strings(details)),
        named("textures", schema_number(kMaxTextures)), named("draws", schema_number(kMaxDraws)),
        named("vertices", schema_number(kMaxVertices)), named("cases", schema_number(kMaxCases)),
-       named("variants", schema_names(variant_names())),
+       named("variants", json_strings(variant_names())),
        named("definitions", json_object(definitions()))})));
 }
 

@@ -15,7 +15,7 @@
 #include "casefile/scene/plain_fields.h"
 #include "casefile/scene/textures.h"
 #include "casefile/scene/viewport.h"
-#include "model/scene_text.h"
+#include "model/scene.h"
 
 namespace edgecase {
 
@@ -225,16 +225,6 @@ CaseText case_text(const Scene& scene, const CaseWords& words) {
   return result;
 }
 
-namespace {
-
-JsonPiece strings(const std::vector<std::string>& words) {
-  Pieces items;
-  for (const std::string& word : words) items.push_back(json_string(word));
-  return json_array(std::move(items));
-}
-
-}  // namespace
-
 void add_word(const char* name, const std::string& word, Pieces& members) {
   if (!word.empty()) members.push_back(named(name, json_string(word)));
 }
@@ -244,10 +234,10 @@ Pieces word_pieces(const CaseWords& words) {
   add_word("$schema", words.schema, members);
   members.push_back(named("title", json_string(words.title)));
   add_word("why", words.why, members);
-  members.push_back(named("rules", strings(words.rules)));
+  members.push_back(named("rules", json_strings(words.rules)));
   add_word("spec", words.spec, members);
   add_word("origin", words.origin, members);
-  if (!words.tags.empty()) members.push_back(named("tags", strings(words.tags)));
+  if (!words.tags.empty()) members.push_back(named("tags", json_strings(words.tags)));
   return members;
 }
 

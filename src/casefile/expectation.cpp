@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "casefile/json/text.h"
-#include "casefile/json/text_file.h"
 
 namespace edgecase {
 
@@ -141,8 +140,8 @@ Masks read_row(const Place& place, const Target& target, Findings& findings) {
   return masks;
 }
 
-}  // namespace
-
+// Returns masks row by row from the bottom. A size or number of samples that is 0 in `target` is
+// unknown and not checked.
 std::vector<std::uint32_t> read_masks(const Place& place, const Target& target,
                                       Findings& findings) {
   if (!expect_kind(place, JsonKind::array, "masks", findings)) return {};
@@ -158,8 +157,6 @@ std::vector<std::uint32_t> read_masks(const Place& place, const Target& target,
   }
   return result;
 }
-
-namespace {
 
 const Keys kExpectKeys{{}, {"policy", "when", "coverage", "coverage_file", "masks"}, {"values"}};
 

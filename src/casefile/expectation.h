@@ -44,10 +44,6 @@ bool holds(const When& when, const Sweep& sweep, const Combination& combination,
 // Rows are strings, the top one first. Cells, one for each pixel, are separated by blanks: a mask
 // in hexadecimal digits, with bit s for sample s, or "." for a pixel without covered samples.
 
-// Returns masks row by row from the bottom. A size or number of samples that is 0 in `target` is
-// unknown and not checked.
-std::vector<std::uint32_t> read_masks(const Place& place, const Target& target, Findings& findings);
-
 // Reads `expect`: the author's drawings of hit pixels, in the case file or beside it, or of covered
 // samples.
 //

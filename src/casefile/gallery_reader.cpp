@@ -9,7 +9,6 @@
 #include "casefile/json/fields.h"
 #include "casefile/json/schema.h"
 #include "casefile/json/text.h"
-#include "casefile/json/text_file.h"
 
 namespace edgecase {
 namespace {
@@ -98,25 +97,16 @@ Gallery read_gallery(const JsonNode& root, std::span<const KnownRule> known, Fin
 }  // namespace
 
 LoadedGallery load_gallery(const std::filesystem::path& file, std::span<const KnownRule> known) {
-  TextFile read = read_text_file(file, kMaxFileBytes);
-  if (read.text) return load_gallery_text(*read.text, file, known);
-  LoadedGallery loaded;
-  loaded.diagnostics.push_back(
-      {file.generic_string(), 0, "", std::move(read.message), std::move(read.remedy)});
-  return loaded;
+  const TextFile read = read_text_file(file, kMaxFileBytes);
+  if (!read.text) return {{}, {unreadable(file, read)}};
+  return load_gallery_text(*read.text, file, known);
 }
 
 LoadedGallery load_gallery_text(const std::string& text, const std::filesystem::path& file,
                                 std::span<const KnownRule> known) {
-  Findings findings(file.generic_string());
-  JsonDocument document = parse_json(text, findings.file());
-  for (Diagnostic& diagnostic : document.diagnostics) findings.add(std::move(diagnostic));
-  Gallery gallery;
-  if (document.root) gallery = read_gallery(*document.root, known, findings);
-  LoadedGallery loaded;
-  loaded.diagnostics = findings.take();
-  if (loaded.diagnostics.empty()) loaded.value = std::move(gallery);
-  return loaded;
+  return load_text<Gallery>(text, file, [&](const JsonNode& root, Findings& findings) {
+    return read_gallery(root, known, findings);
+  });
 }
 
 namespace {
@@ -225,8 +215,8 @@ std::string gallery_schema() {
   };
   return lay_out(json_object(schema_pieces(
       kGallerySchema,
-      {named("required", schema_names(kGalleryKeys.required)),
-       named("required_of_pictures", schema_names(kPictureKeys.required)),
+      {named("required", json_strings(kGalleryKeys.required)),
+       named("required_of_pictures", json_strings(kPictureKeys.required)),
        named("pictures", schema_number(kMostPictures)), most("text", {}), most("line", kWordLimits),
        most("words", kWords), most("source", kSource), most("case", kCaseId),
        most("policy", kNameLimits), most("alternative", kWordLimits)})));

@@ -22,14 +22,11 @@
 #include <vector>
 
 #include "casefile/policy_reader.h"
-#include "model/gallery.h"
+#include "model/policy.h"
 
 namespace edgecase {
 
-struct LoadedGallery {
-  std::optional<Gallery> value;  // set exactly if there are no diagnostics
-  std::vector<Diagnostic> diagnostics;
-};
+using LoadedGallery = Loaded<Gallery>;
 
 // `known`: all permitted rules with their alternatives; empty: not checked.
 LoadedGallery load_gallery(const std::filesystem::path& file, std::span<const KnownRule> known);

@@ -17,7 +17,7 @@
 #include "casefile/expectation.h"
 #include "casefile/json/fields.h"
 #include "casefile/json/json_document.h"
-#include "casefile/json/text_file.h"
+#include "casefile/json/text.h"
 #include "casefile/mesh/mesh.h"
 #include "casefile/scene/samples.h"
 #include "casefile/scene/textures.h"
@@ -325,22 +325,17 @@ void shorten(std::vector<Diagnostic>& faults) {
 
 LoadedCases load_cases(const std::filesystem::path& file, const std::string& id,
                        std::span<const std::string> known_rules) {
-  TextFile read = read_text_file(file, kMaxFileBytes);
-  if (read.text) return load_cases_text(*read.text, file, id, known_rules);
-  LoadedCases loaded;
-  loaded.diagnostics.push_back(
-      {file.generic_string(), 0, "", std::move(read.message), std::move(read.remedy)});
-  return loaded;
+  const TextFile read = read_text_file(file, kMaxFileBytes);
+  if (!read.text) return {{}, {unreadable(file, read)}, {}};
+  return load_cases_text(*read.text, file, id, known_rules);
 }
 
 LoadedCases load_cases_text(const std::string& text, const std::filesystem::path& file,
                             const std::string& id, std::span<const std::string> known_rules) {
   Findings findings(file.generic_string());
-  JsonDocument document = parse_json(text, findings.file());
-  for (Diagnostic& diagnostic : document.diagnostics) findings.add(std::move(diagnostic));
+  std::optional<JsonNode> root = parse_json(text, findings);
   LoadedCases loaded;
-  if (document.root)
-    loaded.cases = expand_cases(*document.root, {file, id, text, known_rules}, findings);
+  if (root) loaded.cases = expand_cases(*root, {file, id, text, known_rules}, findings);
   loaded.notes = findings.take_notes();
   loaded.diagnostics = findings.take();
   shorten(loaded.diagnostics);

@@ -11,7 +11,6 @@
 #include "casefile/json/fields.h"
 #include "casefile/json/schema.h"
 #include "casefile/json/text.h"
-#include "casefile/json/text_file.h"
 
 namespace edgecase {
 
@@ -65,8 +64,8 @@ const Keys kPolicyKeys{{"name"}, {"$schema", "why", "latitude", "rules", "surfac
 const Keys kSurfaceKeys{{}, {"fbo", "window"}, {}};
 constexpr TextLimits kWhy{0, 10000, true};
 
-void read_policy(const JsonNode& root, std::span<const KnownRule> known, Findings& findings,
-                 Policy& policy) {
+Policy read_policy(const JsonNode& root, std::span<const KnownRule> known, Findings& findings) {
+  Policy policy;
   const ObjectReader object({&root, ""}, "a policy", kPolicyKeys, findings);
   if (const auto place = object.find("$schema")) read_text(*place, "$schema", {}, findings);
   if (const auto place = object.find("why")) read_text(*place, "why", kWhy, findings);
@@ -83,30 +82,22 @@ void read_policy(const JsonNode& root, std::span<const KnownRule> known, Finding
       if (const auto choices = surfaces.find(name_of(surface)))
         policy.surfaces[surface] = read_choices(*choices, known, findings);
   }
+  return policy;
 }
 
 }  // namespace
 
 LoadedPolicy load_policy(const std::filesystem::path& file, std::span<const KnownRule> known) {
-  TextFile read = read_text_file(file, kMaxFileBytes);
-  if (read.text) return load_policy_text(*read.text, file, known);
-  LoadedPolicy loaded;
-  loaded.diagnostics.push_back(
-      {file.generic_string(), 0, "", std::move(read.message), std::move(read.remedy)});
-  return loaded;
+  const TextFile read = read_text_file(file, kMaxFileBytes);
+  if (!read.text) return {{}, {unreadable(file, read)}};
+  return load_policy_text(*read.text, file, known);
 }
 
 LoadedPolicy load_policy_text(const std::string& text, const std::filesystem::path& file,
                               std::span<const KnownRule> known) {
-  Findings findings(file.generic_string());
-  JsonDocument document = parse_json(text, findings.file());
-  for (Diagnostic& diagnostic : document.diagnostics) findings.add(std::move(diagnostic));
-  Policy policy;
-  if (document.root) read_policy(*document.root, known, findings, policy);
-  LoadedPolicy loaded;
-  loaded.diagnostics = findings.take();
-  if (loaded.diagnostics.empty()) loaded.value = std::move(policy);
-  return loaded;
+  return load_text<Policy>(text, file, [&](const JsonNode& root, Findings& findings) {
+    return read_policy(root, known, findings);
+  });
 }
 
 namespace {
@@ -170,7 +161,7 @@ constexpr std::string_view kPolicySchema = R"json({
 
 JsonPiece schema_of(const KnownRule& rule) {
   return json_object({named("description", json_string(rule.title)),
-                      named("enum", schema_names(rule.alternatives))});
+                      named("enum", json_strings(rule.alternatives))});
 }
 
 }  // namespace
@@ -183,7 +174,7 @@ std::string policy_schema(std::span<const KnownRule> known) {
     return named(name, schema_number(static_cast<double>(limits.most)));
   };
   return lay_out(json_object(
-      schema_pieces(kPolicySchema, {named("required", schema_names(kPolicyKeys.required)),
+      schema_pieces(kPolicySchema, {named("required", json_strings(kPolicyKeys.required)),
                                     most("text", {}), most("name", kNameLimits), most("why", kWhy),
                                     named("rules", json_object(std::move(rules)))})));
 }

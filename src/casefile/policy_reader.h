@@ -15,12 +15,6 @@
 
 namespace edgecase {
 
-struct KnownRule {
-  std::string id;
-  std::vector<std::string> alternatives;
-  std::string title = {};  // what the rule says, for people
-};
-
 // Returns true if a member's key is the id of a rule, and of a known one unless `known` is empty;
 // otherwise adds a finding.
 bool check_rule_id(const Place& place, std::span<const KnownRule> known, Findings& findings);
@@ -37,10 +31,7 @@ Choices read_choices(const Place& place, std::span<const KnownRule> known, Findi
 // `name` is required; latitude is "opengl" by default; "$schema" and "why" (a string for people)
 // are allowed too. Faults are collected as for cases. The caller provides the known rules and
 // alternatives.
-struct LoadedPolicy {
-  std::optional<Policy> value;  // set exactly if there are no diagnostics
-  std::vector<Diagnostic> diagnostics;
-};
+using LoadedPolicy = Loaded<Policy>;
 
 // `known`: all permitted rules with their alternatives; empty: not checked.
 LoadedPolicy load_policy(const std::filesystem::path& file, std::span<const KnownRule> known);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/suite.h"
+#include "casefile/loader.h"
 
 #include <fmt/format.h>
 

@@ -24,8 +24,8 @@
 #include "diff/values/value_diff.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
-#include "rules/coverage/explain.h"
-#include "rules/coverage/snap.h"
+#include "rules/coverage/window.h"
+#include "rules/rule.h"
 
 namespace edgecase {
 namespace {

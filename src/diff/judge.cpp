@@ -19,7 +19,6 @@
 #include "diff/coverage/legality.h"
 #include "diff/upside_down.h"
 #include "rules/all_rules.h"
-#include "rules/coverage/snap.h"
 #include "rules/coverage/window.h"
 
 namespace edgecase {

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "diff/coverage/legality.h"
-#include "rules/coverage/snap.h"
 #include "rules/coverage/window.h"
 
 namespace edgecase {

@@ -8,6 +8,7 @@
 // rounding. Larger results (the rotated diamond form, squared lengths) use Int128.
 #pragma once
 
+#include <algorithm>
 #include <compare>
 #include <cstdint>
 
@@ -78,6 +79,35 @@ static_assert(2 * Fixed::kMaxCoordinate * Fixed::kOne <= (std::int64_t{1} << 30)
 constexpr std::int64_t cross(Point a, Point b, Point p) {
   return (b.x.raw() - a.x.raw()) * (p.y.raw() - a.y.raw()) -
          (b.y.raw() - a.y.raw()) * (p.x.raw() - a.x.raw());
+}
+
+// Pixels by column and row, and rectangles of them. Rows count from the bottom; sample positions
+// within pixels play no role here.
+
+struct PixelPosition {
+  int x = 0;
+  int y = 0;
+  friend constexpr auto operator<=>(PixelPosition, PixelPosition) = default;
+};
+
+// Whole pixels, both ends inclusive; empty if a maximum is below its minimum.
+struct PixelBounds {
+  int x_min = 0;
+  int y_min = 0;
+  int x_max = -1;
+  int y_max = -1;
+
+  bool contains(PixelPosition p) const {
+    return p.x >= x_min && p.x <= x_max && p.y >= y_min && p.y <= y_max;
+  }
+  PixelBounds grown(int by) const { return {x_min - by, y_min - by, x_max + by, y_max + by}; }
+  friend constexpr bool operator==(const PixelBounds&, const PixelBounds&) = default;
+};
+
+// The intersection, which may be empty.
+constexpr PixelBounds common_part(const PixelBounds& a, const PixelBounds& b) {
+  return {std::max(a.x_min, b.x_min), std::max(a.y_min, b.y_min), std::min(a.x_max, b.x_max),
+          std::min(a.y_max, b.y_max)};
 }
 
 }  // namespace edgecase

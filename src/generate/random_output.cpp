@@ -26,17 +26,6 @@ Enum any_of(RandomSource& random, Enum last) {
   return static_cast<Enum>(random.below(static_cast<std::int64_t>(last) + 1));
 }
 
-float random_component(RandomSource& random) {
-  if (random.one_in(2)) return static_cast<float>(random.below(256)) / 255.0F;
-  return static_cast<float>(random.below((1 << 20) + 1)) * 0x1p-20F;
-}
-
-Color random_color(RandomSource& random) {
-  Color color;
-  for (float& component : color) component = random_component(random);
-  return color;
-}
-
 // z for one of few depths, or any.
 Fixed random_z(RandomSource& random) {
   const std::int64_t steps = random.one_in(3) ? 8 : Fixed::kOne;
@@ -94,7 +83,7 @@ void add_draws(RandomSource& random, OutputKind kind, const Frame& frame,
       break;
     case OutputKind::blended: {
       Blending blending{random_term(random), random_term(random), {}};
-      for (float& component : blending.constant) component = random_component(random);
+      for (float& component : blending.constant) component = random_color_component(random);
       draw.operations.blending = blending;
       for (bool& mask : draw.operations.color_mask) mask = !random.one_in(8);
       break;
@@ -115,11 +104,6 @@ void add_draws(RandomSource& random, OutputKind kind, const Frame& frame,
 }
 
 }  // namespace
-
-const char* name_of(OutputKind kind) {
-  constexpr std::array kNames{"depth-tested", "blended", "offset", "stencilled"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
 
 Scene random_output_scene(const RandomOutputScenes& of, std::uint64_t index) {
   RandomSource random(of.seed,

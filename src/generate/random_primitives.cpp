@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "generate/diamond_places.h"
+#include "generate/grids.h"
 
 namespace edgecase {
 

@@ -13,8 +13,10 @@
 // is 0.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
+#include "model/names.h"
 #include "model/scene.h"
 
 namespace edgecase {
@@ -92,8 +94,12 @@ enum class OutputKind {
   offset,        // each drawn again with a polygon offset, depth-tested
   stencilled,    // both facings, any function, operations and masks
 };
-constexpr int kOutputKinds = 4;
-const char* name_of(OutputKind kind);  // "depth-tested", …
+template <>
+inline constexpr auto kNames<OutputKind> =
+    std::to_array<Named<OutputKind>>({{OutputKind::depth_tested, "depth-tested"},
+                                      {OutputKind::blended, "blended"},
+                                      {OutputKind::offset, "offset"},
+                                      {OutputKind::stencilled, "stencilled"}});
 
 struct RandomOutputScenes {
   std::uint64_t seed = 1;

@@ -19,7 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "kernels/pixel_plane.h"
+#include "kernels/kernels.h"
 
 namespace edgecase {
 

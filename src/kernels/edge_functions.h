@@ -26,7 +26,6 @@
 #include <utility>
 
 #include "exact/fixed.h"
-#include "exact/pixel.h"
 #include "rules/coverage/tie_rule.h"
 
 namespace edgecase {

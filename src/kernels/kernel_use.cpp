@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kernels/kernel_use.h"
+#include "kernels/kernels.h"
 
 #include <hwy/highway.h>
 

@@ -4,7 +4,7 @@
 //
 // With quotient q and remainder r of the sum by 4, (sum + 1 + (q & 1)) >> 2 is q for r = 0 and 1, q
 // + 1 for r = 3, and q + (q & 1) for r = 2.
-#include "kernels/pixel_plane.h"
+#include "kernels/kernels.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/resolve_kernel.cpp"

@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+
 #include "kernels/code_words-inl.h"
 #include "kernels/span_walk.h"
 

@@ -30,10 +30,6 @@ void keep_inside(const Rational& a, const Rational& b, VisiblePart& part) {
     part.to = std::min(part.to, crossing);
 }
 
-bool is_outside(const Vertex& vertex) {
-  return vertex.clip && !is_in_clip_volume(*vertex.clip);
-}
-
 }  // namespace
 
 RationalClip rational_clip(const Vertex& vertex, const Viewport& viewport) {
@@ -75,10 +71,6 @@ std::optional<HomogeneousPoint> window_place(const RationalClip& clip, const Vie
     return static_cast<std::int64_t>(numerator(Rational(value * w)));
   };
   return HomogeneousPoint{times_w(x), times_w(y), static_cast<std::int64_t>(w)};
-}
-
-bool leaves_clip_volume(const Vertex& from, const Vertex& to) {
-  return is_outside(from) || is_outside(to);
 }
 
 }  // namespace edgecase

@@ -36,7 +36,4 @@ std::optional<VisiblePart> visible_part(const RationalClip& from, const Rational
 // The window position of a point of the clip volume; nothing if no HomogeneousPoint can hold it.
 std::optional<HomogeneousPoint> window_place(const RationalClip& clip, const Viewport& viewport);
 
-// Whether one of the line's vertices lies outside the clip volume.
-bool leaves_clip_volume(const Vertex& from, const Vertex& to);
-
 }  // namespace edgecase

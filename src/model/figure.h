@@ -4,9 +4,12 @@
 // no rules: they style marks by role and write their labels.
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "model/names.h"
 
 namespace edgecase {
 
@@ -19,26 +22,15 @@ enum class MarkRole {
   sample,          // the sample in question
   edge,            // the edge or segment that decides
 };
-
-inline const char* name_of(MarkRole role) {
-  switch (role) {
-    case MarkRole::primitive:
-      return "primitive";
-    case MarkRole::vertex:
-      return "vertex";
-    case MarkRole::snapped_vertex:
-      return "snapped-vertex";
-    case MarkRole::region:
-      return "region";
-    case MarkRole::owned:
-      return "owned";
-    case MarkRole::sample:
-      return "sample";
-    case MarkRole::edge:
-      return "edge";
-  }
-  return "?";
-}
+template <>
+inline constexpr auto kNames<MarkRole> =
+    std::to_array<Named<MarkRole>>({{MarkRole::primitive, "primitive"},
+                                    {MarkRole::vertex, "vertex"},
+                                    {MarkRole::snapped_vertex, "snapped-vertex"},
+                                    {MarkRole::region, "region"},
+                                    {MarkRole::owned, "owned"},
+                                    {MarkRole::sample, "sample"},
+                                    {MarkRole::edge, "edge"}});
 
 struct Mark {
   MarkRole role = MarkRole::primitive;

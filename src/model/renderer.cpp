@@ -12,22 +12,6 @@ bool is_letter_or_digit(char c) {
 
 }  // namespace
 
-const char* name_of(FailureKind kind) {
-  switch (kind) {
-    case FailureKind::unsupported:
-      return "unsupported";
-    case FailureKind::crashed:
-      return "crashed";
-    case FailureKind::timed_out:
-      return "timed-out";
-    case FailureKind::garbage:
-      return "garbage";
-    case FailureKind::unavailable:
-      return "unavailable";
-  }
-  return "?";
-}
-
 bool is_own_name(std::string_view name) {
   constexpr std::size_t kMost = 64;
   return !name.empty() && name.size() <= kMost && name != "exact" && is_letter_or_digit(name[0]) &&

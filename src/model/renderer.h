@@ -3,6 +3,7 @@
 // Renderer: anything that turns scenes into renderings, and the kinds of failure to do so.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -11,6 +12,7 @@
 #include <string_view>
 #include <variant>
 
+#include "model/names.h"
 #include "model/rendering.h"
 #include "model/scene.h"
 
@@ -44,8 +46,13 @@ enum class FailureKind {
   garbage,      // the answer is no rendering of this scene
   unavailable,  // it could not be started
 };
-
-const char* name_of(FailureKind);
+template <>
+inline constexpr auto kNames<FailureKind> =
+    std::to_array<Named<FailureKind>>({{FailureKind::unsupported, "unsupported"},
+                                       {FailureKind::crashed, "crashed"},
+                                       {FailureKind::timed_out, "timed-out"},
+                                       {FailureKind::garbage, "garbage"},
+                                       {FailureKind::unavailable, "unavailable"}});
 
 // Why a scene has no rendering: one sentence for people.
 struct Failure {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "exact/fixed.h"
-#include "exact/pixel.h"
 #include "model/names.h"
 
 namespace edgecase {

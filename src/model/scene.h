@@ -14,7 +14,6 @@
 
 #include "exact/fixed.h"
 #include "exact/homogeneous.h"
-#include "exact/pixel.h"
 #include "model/fragment_operations.h"
 #include "model/names.h"
 #include "model/sampling.h"
@@ -275,5 +274,17 @@ bool has_perspective(const ScenePrimitive& primitive);
 
 // All primitives of a scene in drawing order. The pointers live as long as `scene` does.
 std::vector<ScenePrimitive> primitives_of(const Scene& scene);
+
+// A scene in one line of text, for tables and summaries: what is drawn on what. Colours, depths and
+// the viewport are left out, so different scenes may have the same text.
+
+// "line (1/2, 1/2) to (7/2, 1/2), 4x4, window": each draw, joined by "; ", then the target's width
+// and height in pixels, and "window" if it is no framebuffer object. Coordinates in pixels, y up.
+// State is named if it is not the default: "width 3/2", "smooth". For many vertices, only the first
+// ones and the number of others are listed.
+std::string scene_text(const Scene& scene);
+
+// Whether both are equal in every part, so that every renderer has the same task.
+bool same_scene(const Scene& a, const Scene& b);
 
 }  // namespace edgecase

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "casefile/case_writer.h"
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "profile/profile_reports.h"
 
 namespace edgecase {
@@ -74,7 +74,7 @@ Json to_json(const ResidualExample& example) {
                {"scene", scene_text(example.scene)},
                {"primitive", example.primitive},
                {"pixel", {example.pixel.x, example.pixel.y}},
-               {"told", example.told},
+               {"told", example.reported},
                {"formula", example.formula}};
   add_case(json, example.scene, "Level of detail", {name_of(RuleId::texture_log2)});
   return json;

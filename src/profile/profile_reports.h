@@ -3,10 +3,14 @@
 // A profile as text for people, as JSON, and as a policy file.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstddef>
+#include <iterator>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "profile/profile.h"
 
@@ -35,6 +39,14 @@ std::string value_errors_text(std::span<const ValueErrors> rows);
 std::string level_residuals_text(std::span<const LevelResiduals> rows);
 std::string sample_profile_text(const SampleProfile& samples);
 std::string output_profile_text(const OutputProfile& output);
+
+// The lines of a text under construction.
+using Buffer = fmt::memory_buffer;
+template <class... Args>
+void print(Buffer& out, fmt::format_string<Args...> format, Args&&... args) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
+}
+void print_renderer(Buffer& out, const Profile& profile);  // the first line of both texts
 
 // The same parts of the JSON.
 nlohmann::ordered_json value_errors_json(std::span<const ValueErrors> rows);

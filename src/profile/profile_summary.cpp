@@ -4,18 +4,11 @@
 #include <algorithm>
 #include <iterator>
 
-#include "model/counted.h"
+#include "model/text.h"
 #include "profile/profile_reports.h"
 
 namespace edgecase {
 namespace {
-
-using Buffer = fmt::memory_buffer;
-
-template <class... Args>
-void print(Buffer& out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
 
 // The traits that some scene contradicts, least followed first.
 std::vector<const Trait*> exceptions_of(const SurfaceProfile& surface) {
@@ -83,10 +76,14 @@ void summarize_coverage(Buffer& out, const Profile& profile) {
 
 }  // namespace
 
-std::string profile_summary(const Profile& profile) {
-  Buffer out;
+void print_renderer(Buffer& out, const Profile& profile) {
   print(out, "{}: {}, {}\n", profile.renderer.name, profile.renderer.device,
         profile.renderer.version);
+}
+
+std::string profile_summary(const Profile& profile) {
+  Buffer out;
+  print_renderer(out, profile);
   std::size_t scenes = 0;
   for (const SurfaceProfile& surface : profile.surfaces) scenes += surface.findings.drawn.scenes;
   print(out, "{} drawn, seed {}; {} reported\n", counted(scenes, "scene", "scenes"), profile.seed,

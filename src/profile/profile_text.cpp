@@ -9,19 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "model/counted.h"
-#include "model/scene_text.h"
+#include "model/scene.h"
+#include "model/text.h"
 #include "profile/profile_reports.h"
 
 namespace edgecase {
 namespace {
-
-using Buffer = fmt::memory_buffer;
-
-template <class... Args>
-void print(Buffer& out, fmt::format_string<Args...> format, Args&&... args) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
-}
 
 double ulp_of(const std::optional<ValueExample>& example) {
   return example ? example->ulp : 0;
@@ -90,7 +83,7 @@ void print_found(Buffer& out, const LevelResiduals& row) {
   if (!found.worst) return;
   const ResidualExample& worst = *found.worst;
   print(out, "    largest: pixel ({}, {}) reports {:.9g}, formula {:.9g}; {} {}\n", worst.pixel.x,
-        worst.pixel.y, worst.told, worst.formula, worst.id, scene_text(worst.scene));
+        worst.pixel.y, worst.reported, worst.formula, worst.id, scene_text(worst.scene));
 }
 
 // The mean and the largest residual of one formula over all rows of a source.
@@ -326,8 +319,8 @@ std::string level_residuals_text(std::span<const LevelResiduals> rows) {
   const FormulaResidual& found = rows[0].found();
   print(out, "  levels of detail against {} + {}, derivatives {}: at most {:.4g} levels of error\n",
         name_of(found.scale_factor), name_of(found.log2), rows[0].derivatives, kMostResidual);
-  print(out, "  {:<34}{:>10}{:>13}{:>13}\n", "ramp, where the level is told", "fragments", "mean",
-        "largest");
+  print(out, "  {:<34}{:>10}{:>13}{:>13}\n", "ramp, where the level is reported", "fragments",
+        "mean", "largest");
   for (const LevelResiduals& row : rows) print_found(out, row);
   print_formulas(out, rows);
   return fmt::to_string(out);
@@ -363,8 +356,7 @@ std::string output_profile_text(const OutputProfile& output) {
 
 std::string profile_text(const Profile& profile, std::size_t most_clusters) {
   Buffer out;
-  print(out, "{}: {}, {}\n", profile.renderer.name, profile.renderer.device,
-        profile.renderer.version);
+  print_renderer(out, profile);
   print(out,
         "{} random scenes of each primitive type on each surface, seed {}; {} sub-pixel bits "
         "are reported\n",

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "raster/coverage_stages.h"
-#include "raster/primitives.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/coverage/line_areas.h"
@@ -45,11 +44,7 @@ Point nearest(const HomogeneousPoint& vertex) {
   return nearest_point(vertex);
 }
 
-// Moves the geometry so that the point `within` each pixel falls on the pixel's centre.
-Point centred(Point vertex, Point within) {
-  const Point centre = centre_of_pixel();
-  return {vertex.x + centre.x - within.x, vertex.y + centre.y - within.y};
-}
+// The same for a line.
 Segment centred(const Segment& line, Point within) {
   return {centred(line.a, within), centred(line.b, within)};
 }

@@ -4,21 +4,55 @@
 // volume.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "exact/pixel.h"
+#include "exact/fixed.h"
 #include "model/scene.h"
 #include "rules/choices.h"
+#include "rules/coverage/block_walk.h"
+#include "rules/rule.h"
 
 namespace edgecase {
 
+// Properties of single primitives that precede their pixels: facing, culling, and the blocks of a
+// block walk.
+
+// Which way a scene's triangles face under a choice of rules, with vertices snapped as for
+// coverage, and whether they are culled.
+
+// Points and lines are always front-facing.
+bool is_front_facing(const ScenePrimitive& primitive, const Target& target,
+                     const CoverageChoice& choice);
+
+// Whether the primitive is culled and so makes no fragments.
+bool is_culled(const ScenePrimitive& primitive, const Target& target, const CoverageChoice& choice);
+
+// Why the primitive is culled, with its outline; nothing if it is not.
+std::optional<Explanation> explain_culling(const ScenePrimitive& primitive, const Target& target,
+                                           const CoverageChoice& choice);
+
+// How a block walk would find a scene's triangles under a choice of rules. The rasterizer does not
+// walk blocks; a walk covers the same pixels and shows how few need a test.
+struct PrimitiveBlocks {
+  HomogeneousTriangle triangle{};  // with the vertices used for coverage
+  SamplePositions places;          // of the samples tested in each pixel
+  BlockWalk walk;
+  std::string absence;  // why there is no walk, without a full stop; empty if there is one
+};
+
+// The block walk of a primitive within the pixels that its draw may write, ignoring the sample
+// mask. `sizes` of blocks, as for BlockGrid.
+PrimitiveBlocks blocks_of(const ScenePrimitive& primitive, const Target& target,
+                          const CoverageChoice& choice, std::span<const int> sizes);
+
+// Moves a vertex so that the point `within` each pixel falls on the pixel's centre.
+Point centred(Point vertex, Point within);
+
 // This is the one place that knows for which choices of rules the kernels can replace the
 // predicates.
-
-// Whether kernels are in use and implement the choice's triangles, or its lines of this width.
-bool walks_triangles(const CoverageChoice& choice);
-bool walks_lines(const CoverageChoice& choice, Fixed width);
 
 // Whether kernels find this primitive's samples. If so, its vertices are given in the window and
 // its target is not turned upside down.

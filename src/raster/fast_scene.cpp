@@ -9,8 +9,7 @@
 #include "raster/rasterizer.h"
 #include "raster/vertex_attributes.h"
 #include "rules/samples/sample_mask.h"
-#include "rules/values/flat_attribute.h"
-#include "rules/values/smooth_attribute.h"
+#include "rules/values/attributes.h"
 
 namespace edgecase {
 

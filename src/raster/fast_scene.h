@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "kernels/color_planes.h"
-#include "kernels/pixel_plane.h"
+#include "kernels/kernels.h"
 #include "model/scene.h"
 #include "raster/texture_stage.h"
 #include "rules/choices.h"

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstring>
 
-#include "kernels/kernel_use.h"
+#include "kernels/kernels.h"
 #include "kernels/tile_bins.h"
 #include "raster/attributes.h"
 #include "raster/rasterizer.h"

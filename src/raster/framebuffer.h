@@ -4,7 +4,7 @@
 //
 // Its pixels equal, to the bit, Rendering::pixels by raster/rasterizer.h; it reports no fragments,
 // hits or samples. It is made once for a target and a policy, and draws any number of scenes.
-// `prepared` returns nothing for a scene that it cannot draw; raster/exact_renderer.h then takes
+// `prepared` returns nothing for a scene that it cannot draw; raster/rasterizer.h then takes
 // the plain path.
 #pragma once
 

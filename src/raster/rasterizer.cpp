@@ -5,14 +5,14 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "raster/attributes.h"
-#include "raster/fragment_stage.h"
-#include "raster/primitives.h"
+#include "raster/coverage_stages.h"
 #include "raster/samples.h"
 #include "raster/texture_stage.h"
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 
 namespace edgecase {
 namespace {
@@ -159,6 +159,45 @@ Rendering rasterize_without_details(const Scene& scene, const ResolvedPolicy& po
                                     const SamplePositions& reported) {
   if (!scene.supersampling.empty()) return draw_passes(scene, policy, rasterize_without_details);
   return drawn(scene, policy, reported, {});
+}
+
+ExactRenderer::ExactRenderer(const Policy& policy)
+    : policy_(policy),
+      info_{.name = "exact",
+            .vendor = "Edgecase",
+            .version = "policy " + policy.name,
+            .device = "exact rasterizer",
+            .subpixel_bits = Fixed::kFractionBits,
+            .traits = {}} {}
+
+void ExactRenderer::render(std::span<const Task> tasks, const OutcomeSink& sink) {
+  for (std::size_t i = 0; i < tasks.size(); ++i) sink(i, rasterize(*tasks[i].scene, policy_));
+}
+
+ExactDrawing::ExactDrawing(std::span<const Scene> layers, const ResolvedPolicy& policy)
+    : layers_(layers), policy_(policy), framebuffer_(layers.front().target, policy) {
+  for (const Scene& layer : layers_) {
+    std::optional<FastScene> prepared = framebuffer_.prepared(layer);
+    if (!prepared) {
+      prepared_.clear();
+      return;
+    }
+    prepared_.push_back(std::move(*prepared));
+  }
+}
+
+void ExactDrawing::draw() {
+  if (prepared_.empty()) {
+    for (const Scene& layer : layers_) plain_pixels_ = rasterize(layer, policy_).pixels;
+    return;
+  }
+  framebuffer_.clear(layers_.front().target.clear);
+  for (const FastScene& layer : prepared_) framebuffer_.draw(layer);
+  framebuffer_.resolve();
+}
+
+std::vector<std::uint8_t> ExactDrawing::pixels() const {
+  return prepared_.empty() ? plain_pixels_ : framebuffer_.pixels();
 }
 
 }  // namespace edgecase

@@ -12,12 +12,16 @@
 // raster/samples.h has the paths of multisampled targets and of supersampled scenes.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
-#include "exact/pixel.h"
+#include "exact/fixed.h"
 #include "model/policy.h"
+#include "model/renderer.h"
 #include "model/rendering.h"
 #include "model/scene.h"
+#include "raster/framebuffer.h"
 #include "rules/choices.h"
 
 namespace edgecase {
@@ -80,5 +84,42 @@ Rendering rasterize(const Scene& scene, const ResolvedPolicy& policy,
 // comparison derives the permitted details itself.
 Rendering rasterize_without_details(const Scene& scene, const ResolvedPolicy& policy,
                                     const SamplePositions& reported = {});
+
+// The exact rasterizer behind the Renderer interface, under one policy, for `--against exact` and
+// `render --with exact`. Comparisons call rasterize directly.
+
+class ExactRenderer final : public Renderer {
+ public:
+  explicit ExactRenderer(const Policy& policy);
+  const RendererInfo& info() const override { return info_; }
+  void render(std::span<const Task> tasks, const OutcomeSink& sink) override;
+
+ private:
+  ResolvedPolicy policy_;
+  RendererInfo info_;
+};
+
+// ExactDrawing: draws scenes repeatedly with the exact rasterizer. It uses the framebuffer where
+// that can draw them, and the plain rasterizer otherwise.
+class ExactDrawing {
+ public:
+  // `layers`: at least one scene, all of one target, drawn on top of each other; all but the first
+  // cover the target. They must outlive the drawing. Vertices are prepared here, as OpenGL's are in
+  // buffers.
+  ExactDrawing(std::span<const Scene> layers, const ResolvedPolicy& policy);
+
+  // Clears and draws all layers.
+  void draw();
+
+  // The result. For a single layer it equals Rendering::pixels of `rasterize`.
+  std::vector<std::uint8_t> pixels() const;
+
+ private:
+  std::span<const Scene> layers_;
+  const ResolvedPolicy policy_;
+  Framebuffer framebuffer_;
+  std::vector<FastScene> prepared_;  // of all layers, or empty
+  std::vector<std::uint8_t> plain_pixels_;
+};
 
 }  // namespace edgecase

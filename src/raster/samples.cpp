@@ -7,8 +7,8 @@
 #include <tuple>
 #include <vector>
 
-#include "raster/fragment_stage.h"
-#include "raster/primitives.h"
+#include "raster/attributes.h"
+#include "raster/coverage_stages.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
 

@@ -17,7 +17,7 @@
 #include "model/scene.h"
 #include "raster/attributes.h"
 #include "rules/choices.h"
-#include "rules/samples/accumulation.h"
+#include "rules/samples/resolve.h"
 
 namespace edgecase {
 

@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
+#include "exact/fixed.h"
 #include "exact/interval.h"
-#include "exact/pixel.h"
 #include "model/scene.h"
 #include "model/texture.h"
 #include "raster/attributes.h"

@@ -12,7 +12,6 @@
 #include "exact/interval.h"
 #include "model/scene.h"
 #include "rules/choices.h"
-#include "rules/values/clipped_interpolation.h"
 #include "rules/values/interpolation.h"
 
 namespace edgecase {

@@ -19,7 +19,7 @@
 #include "recording/block.h"
 #include "recording/bytes.h"
 #include "wire/answer_line.h"
-#include "wire/reading.h"
+#include "wire/json_values.h"
 
 namespace edgecase {
 
@@ -251,8 +251,8 @@ namespace {
 constexpr const char* kFailureStart = "{\"failure\":";
 
 FailureKind kind_of_name(const std::string& name) {
-  for (int i = 0; i <= static_cast<int>(FailureKind::unavailable); ++i)
-    if (name == name_of(static_cast<FailureKind>(i))) return static_cast<FailureKind>(i);
+  FailureKind kind{};
+  if (parse_name(name, kind)) return kind;
   throw std::runtime_error("the kind of failure \"" + name + "\" is not known");
 }
 

@@ -17,7 +17,7 @@
 #include "results/shallow_json.h"
 #include "results/whole_number.h"
 #include "rules/all_rules.h"
-#include "rules/changes.h"
+#include "rules/choices.h"
 
 namespace edgecase {
 namespace {

@@ -9,7 +9,7 @@
 #include "results/reported_fragments.h"
 #include "results/samples_json.h"
 #include "rules/all_rules.h"
-#include "rules/changes.h"
+#include "rules/choices.h"
 
 namespace edgecase {
 namespace {

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "results/whole_number.h"
-#include "rules/coverage/explain.h"
+#include "rules/rule.h"
 
 namespace edgecase {
 namespace {

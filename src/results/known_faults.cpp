@@ -10,8 +10,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "model/counted.h"
-#include "model/digest.h"
+#include "model/text.h"
 #include "results/shallow_json.h"
 #include "rules/all_rules.h"
 

@@ -59,7 +59,7 @@ struct CaseResults {
   std::vector<std::string> tags;
   std::string file;         // path of the case file, as given
   SharedText source;        // its text
-  std::string file_digest;  // of its text (model/digest.h)
+  std::string file_digest;  // of its text (model/text.h)
   std::string surface;
   int width = 0;
   int height = 0;

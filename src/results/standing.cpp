@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "model/counted.h"
+#include "model/text.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

@@ -114,6 +114,16 @@ bool is_open_choice(const Cause& cause) {
   });
 }
 
+std::vector<KnownRule> known_rules() {
+  std::vector<KnownRule> known;
+  for (const Rule& rule : all_rules()) {
+    known.push_back({name_of(rule.id), {}, rule.title});
+    for (const Alternative& alternative : rule.alternatives)
+      known.back().alternatives.push_back(alternative.name);
+  }
+  return known;
+}
+
 const Ruling* find_ruling(int number) {
   static const std::map<int, const Ruling*> rulings = [] {
     std::map<int, const Ruling*> numbered;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "model/cause.h"
+#include "model/policy.h"
 #include "model/verdict.h"
 #include "rules/rule.h"
 
@@ -35,6 +36,9 @@ std::optional<Cause> parse_cause(std::string_view text);
 
 // True if the specification leaves open every alternative of the cause; false for no cause.
 bool is_open_choice(const Cause& cause);
+
+// The catalogue as readers of policies know it.
+std::vector<KnownRule> known_rules();
 
 // Null if no rule has a ruling of that number.
 const Ruling* find_ruling(int number);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "rules/choices.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "rules/all_rules.h"
+#include "rules/coverage/window.h"
 
 namespace edgecase {
 namespace {
@@ -87,6 +91,169 @@ ResolvedPolicy::ResolvedPolicy(const Policy& policy)
     : latitude_(policy.latitude), is_standard_(policy.rules.empty() && policy.surfaces.empty()) {
   for (const Surface surface : values_of<Surface>())
     choices_[static_cast<std::size_t>(surface)] = resolve(policy, surface);
+}
+
+namespace {
+
+// Calls `visit` with every rule that has a choice, in the order of their ids.
+template <class Visit>
+void for_each_choice(const Visit& visit) {
+  for (const RuleId id : values_of<RuleId>())
+    if (id != RuleId::none && rule_of(id).slot.put != nullptr) visit(rule_of(id));
+}
+
+Changes placements_beside(int samples, const SamplePlacement& chosen) {
+  Changes changes;
+  for (const SamplePlacement& placement : placements_of(samples))
+    if (placement != chosen)
+      changes.push_back({alternative_id(RuleId::sample_positions, name_of(placement)), placement});
+  return changes;
+}
+
+}  // namespace
+
+void Change::apply(RuleChoices& choices) const {
+  if (placement)
+    for (CoverageChoice* choice : {&choices.points, &choices.lines, &choices.triangles})
+      choice->placement = *placement;
+  else
+    rule_of(id.rule).slot.put(choices, alternative_of(id)->name);
+}
+
+Cause cause_of(const Changes& changes) {
+  Cause cause;
+  for (const Change& change : changes) cause.parts.push_back(change.id);
+  return cause;
+}
+
+RuleChoices applied(const Changes& changes, RuleChoices choices) {
+  for (const Change& change : changes) change.apply(choices);
+  return choices;
+}
+
+Changes changes_beside(RuleId rule, const RuleChoices& chosen) {
+  const std::string kept = rule_of(rule).slot.kept(chosen);
+  Changes changes;
+  for (std::size_t i = 0; i < rule_of(rule).alternatives.size(); ++i)
+    if (rule_of(rule).alternatives[i].name != kept)
+      changes.push_back({{rule, static_cast<std::uint8_t>(i)}});
+  return changes;
+}
+
+std::optional<Change> change_between(RuleId rule, const RuleChoices& from, const RuleChoices& to) {
+  const std::string kept = rule_of(rule).slot.kept(to);
+  if (kept == rule_of(rule).slot.kept(from)) return std::nullopt;
+  return Change{alternative_id(rule, kept)};
+}
+
+CoverageTraits coverage_traits(const ScenePrimitive& primitive, const Target& target) {
+  const Multisampling& use = primitive.state->multisampling;
+  CoverageTraits traits;
+  traits.kind = primitive.kind;
+  traits.samples = target.samples;
+  traits.is_multisampled = is_multisampled(*primitive.state, target);
+  traits.is_switched_off = target.samples > 1 && !use.enabled;
+  traits.heeds_mask =
+      traits.is_multisampled && writable_samples(use, target.samples, SampleMask::applied) !=
+                                    writable_samples(use, target.samples, SampleMask::ignored);
+  traits.is_wide = primitive.kind == PrimitiveKind::line &&
+                   primitive.state->line_width != Fixed::from_integer(1);
+  traits.is_clipped = primitive.is_clipped;
+  traits.is_culled_by_facing = primitive.state->cull != CullMode::none;
+  return traits;
+}
+
+std::vector<Changes> coverage_changes(const CoverageTraits& traits, const RuleChoices& chosen) {
+  std::vector<Changes> rules;
+  for_each_choice([&](const Rule& rule) {
+    if (rule.say.in_coverage == nullptr || !rule.say.in_coverage(traits)) return;
+    rules.push_back(rule.id == RuleId::sample_positions
+                        ? placements_beside(traits.samples, chosen.of(traits.kind).placement)
+                        : changes_beside(rule.id, chosen));
+  });
+  return rules;
+}
+
+Changes coverage_changes_between(const ScenePrimitive& primitive, const Target& target,
+                                 const RuleChoices& from, const RuleChoices& to) {
+  const CoverageTraits traits = coverage_traits(primitive, target);
+  Changes changes;
+  const auto add = [&](RuleId rule) {
+    if (auto change = change_between(rule, from, to)) changes.push_back(*std::move(change));
+  };
+  for_each_choice([&](const Rule& rule) {
+    if (rule.say.in_coverage != nullptr && rule.say.in_coverage(traits)) add(rule.id);
+  });
+  if (traits.kind == PrimitiveKind::line && !traits.is_multisampled &&
+      fills_area(to.lines.line, primitive.state->line_width))
+    add(RuleId::triangle_fill_rule);
+  return changes;
+}
+
+Changes operations_changes(const Scene& scene, const RuleChoices& chosen) {
+  Changes changes;
+  for_each_choice([&](const Rule& rule) {
+    if (rule.say.in_operations == nullptr || !rule.say.in_operations(scene)) return;
+    const Changes more = changes_beside(rule.id, chosen);
+    changes.insert(changes.end(), more.begin(), more.end());
+  });
+  return changes;
+}
+
+const std::vector<RuleId>& lookup_rules() {
+  static const std::vector<RuleId> rules = [] {
+    std::vector<RuleId> ids;
+    for_each_choice([&](const Rule& rule) {
+      if (rule.say.in_lookups) ids.push_back(rule.id);
+    });
+    return ids;
+  }();
+  return rules;
+}
+
+const std::vector<RuleId>& coverage_rules() {
+  static const std::vector<RuleId> rules = [] {
+    std::vector<RuleId> ids;
+    for_each_choice([&](const Rule& rule) {
+      if (rule.say.in_coverage != nullptr) ids.push_back(rule.id);
+    });
+    return ids;
+  }();
+  return rules;
+}
+
+namespace {
+
+// The alternatives that an agreeing primitive can refute.
+const std::vector<AlternativeId>& refutable() {
+  static const std::vector<AlternativeId> all = [] {
+    std::vector<AlternativeId> ids;
+    for (const RuleId rule : coverage_rules())
+      for (std::size_t i = 0; i < rule_of(rule).alternatives.size(); ++i)
+        ids.push_back({rule, static_cast<std::uint8_t>(i)});
+    ids.push_back({kWindowOrigin});
+    return ids;
+  }();
+  return all;
+}
+
+}  // namespace
+
+std::string text_of_refuted(const AlternativeSet& refuted) {
+  std::string text;
+  if (refuted == AlternativeSet()) return text;
+  for (const AlternativeId id : refutable()) text += refuted.contains(id) ? '1' : '0';
+  return text;
+}
+
+std::optional<AlternativeSet> parse_refuted(std::string_view text) {
+  if (text.empty()) return AlternativeSet();
+  if (text.size() != refutable().size() || text.find_first_not_of("01") != text.npos)
+    return std::nullopt;
+  AlternativeSet refuted;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '1') refuted.add(refutable()[i]);
+  return refuted;
 }
 
 }  // namespace edgecase

@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "casefile/json/json_document.h"
-#include "casefile/json/text_file.h"
+#include "casefile/json/text.h"
 #include "casefile/loader.h"
-#include "casefile/suite.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

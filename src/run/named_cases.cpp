@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "casefile/json/text.h"
-#include "casefile/suite.h"
+#include "casefile/loader.h"
 
 namespace edgecase {
 namespace {

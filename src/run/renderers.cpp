@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "raster/exact_renderer.h"
+#include "raster/rasterizer.h"
 #include "run/process_renderer.h"
 #include "run/recording_renderer.h"
 #include "run/renderer_names.h"

@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "model/digest.h"
+#include "model/text.h"
 
 namespace edgecase {
 namespace {

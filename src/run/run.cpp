@@ -14,7 +14,7 @@
 #include <utility>
 #include <variant>
 
-#include "model/digest.h"
+#include "model/text.h"
 #include "results/standing.h"
 #include "run/case_slices.h"
 #include "run/comparing.h"

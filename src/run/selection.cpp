@@ -10,8 +10,7 @@
 
 #include "casefile/json/text.h"
 #include "casefile/loader.h"
-#include "casefile/suite.h"
-#include "model/digest.h"
+#include "model/text.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

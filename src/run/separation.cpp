@@ -7,7 +7,7 @@
 #include "model/policy.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
-#include "rules/changes.h"
+#include "rules/choices.h"
 
 namespace edgecase {
 namespace {

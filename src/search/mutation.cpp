@@ -11,7 +11,7 @@
 #include "casefile/case_writer.h"
 #include "casefile/scene/viewport.h"
 #include "model/rule_id.h"
-#include "model/scene_text.h"
+#include "model/scene.h"
 
 namespace edgecase {
 namespace {

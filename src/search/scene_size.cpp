@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "casefile/scene/viewport.h"
-#include "model/scene_text.h"
+#include "model/scene.h"
 
 namespace edgecase {
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fnmatch.h>
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -87,7 +88,7 @@ void drop_unused_factors(BlendTerm& term) {
 
 Scene output_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
   constexpr std::array kDepths{DepthFormat::depth24, DepthFormat::depth16, DepthFormat::depth32f};
-  const Turn kind = turn_of(index, kOutputKinds);
+  const Turn kind = turn_of(index, values_of<OutputKind>().size());
   // The depth buffer of a window depends on its configuration.
   const DepthFormat depth = kDepths[surface == Surface::window ? 0 : kind.index % kDepths.size()];
   Scene scene =

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "casefile/scene/viewport.h"
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "search/steps.h"
 
 namespace edgecase {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "search/shrinking.h"
+#include "search/minimize.h"
 
 namespace edgecase {
 

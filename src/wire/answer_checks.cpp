@@ -10,7 +10,7 @@
 
 #include "model/rendering_fields.h"
 #include "wire/answer_line.h"
-#include "wire/reading.h"
+#include "wire/json_values.h"
 
 namespace edgecase {
 

@@ -9,7 +9,6 @@
 
 #include "wire/fragments_json.h"
 #include "wire/json_values.h"
-#include "wire/reading.h"
 #include "wire/rendering_json.h"
 
 namespace edgecase {

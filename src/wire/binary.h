@@ -24,7 +24,7 @@
 #include "model/renderer.h"
 #include "model/rendering_fields.h"
 #include "model/scene_fields.h"
-#include "wire/reading.h"
+#include "wire/json_values.h"
 
 namespace edgecase::wire {
 

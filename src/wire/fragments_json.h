@@ -10,7 +10,7 @@
 
 #include "model/rendering.h"
 #include "model/scene.h"
-#include "wire/reading.h"
+#include "wire/json_values.h"
 
 namespace edgecase::wire {
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "wire/reading.h"
+#include "wire/json_values.h"
 #include "wire/scene_json.h"
 
 namespace edgecase {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "exact/pixel.h"
+#include "exact/fixed.h"
 #include "model/rendering.h"
 #include "model/scene.h"
 #include "tests/adversaries/freedoms.h"

@@ -68,7 +68,6 @@ LIBRARIES = [
 # "figure" positions of a drawing are computed.
 FLOATING = {
     "src/exact/fixed.h": {"to_double": "figure"},
-    "src/rules/coverage/explain.h": {"position_of": "figure"},
     "src/rules/coverage/diamond_exit.cpp": {"manhattan_distance": "people",
                                             "explain_line": "figure"},
     "src/rules/coverage/point_ownership.cpp": {"explain_point": "figure"},

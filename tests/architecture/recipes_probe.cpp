@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "casefile/case_schema.h"
+#include "casefile/case_reader.h"
 #include "casefile/case_writer.h"
 #include "casefile/loader.h"
 #include "casefile/policy_reader.h"
@@ -27,24 +27,17 @@ void print_faults(const std::vector<Diagnostic>& faults) {
   for (const Diagnostic& fault : faults) fmt::print("fault: {}\n", to_string(fault));
 }
 
-std::vector<KnownRule> print_rules() {
-  std::vector<KnownRule> known;
-  for (const Rule& rule : all_rules()) {
-    KnownRule& one = known.emplace_back();
-    one.id = name_of(rule.id);
-    for (const Alternative& alternative : rule.alternatives) {
-      one.alternatives.push_back(alternative.name);
-      fmt::print("alternative: {}={}\n", one.id, alternative.name);
-    }
-  }
+void print_rules() {
+  for (const KnownRule& rule : known_rules())
+    for (const std::string& alternative : rule.alternatives)
+      fmt::print("alternative: {}={}\n", rule.id, alternative);
   for (const Chapter& chapter : chapters())
     for (const Section& section : chapter.sections)
       for (const RuleId rule : section.rules) fmt::print("chapter: {}\n", name_of(rule));
-  return known;
 }
 
-void print_policy(const char* file, const std::vector<KnownRule>& known) {
-  const LoadedPolicy policy = load_policy(file, known);
+void print_policy(const char* file) {
+  const LoadedPolicy policy = load_policy(file, known_rules());
   print_faults(policy.diagnostics);
   if (!policy.value) return;
   const RuleChoices choices = resolve(*policy.value, Surface::fbo);
@@ -75,6 +68,7 @@ void print_case(const char* file) {
 
 int main(int count, char** arguments) {
   if (count != 3) return 2;
-  edgecase::print_policy(arguments[1], edgecase::print_rules());
+  edgecase::print_rules();
+  edgecase::print_policy(arguments[1]);
   edgecase::print_case(arguments[2]);
 }

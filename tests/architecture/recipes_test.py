@@ -29,12 +29,12 @@ def before(text, more):
 
 # Of each recipe: a file of the product, and the text of a new one, or what is put beside which text.
 ALTERNATIVE = {
-    "src/rules/textures/wrap.h": [
+    "src/rules/textures/texture_image.h": [
         before("  mirrored_as_repeat,  //", "  border_as_edge,\n"),
         before('     {WrapChoice::mirrored_as_repeat, "mirrored-as-repeat"',
                '     {WrapChoice::border_as_edge, "border-as-edge", Openness::illegal,\n'
                '      "the edge texels stand where the border should"},\n')],
-    "src/rules/textures/wrap.cpp": [
+    "src/rules/textures/texture_image.cpp": [
         behind("Wrap effective(Wrap wrap, WrapChoice choice) {\n",
                "  if (choice == WrapChoice::border_as_edge && wrap == Wrap::clamp_to_border)\n"
                "    return Wrap::clamp_to_edge;\n")],
@@ -82,7 +82,7 @@ Rule dithering_rule() {
         behind('     {RuleId::blend_rounding, "blend.rounding"},\n',
                '     {RuleId::framebuffer_dithering, "framebuffer.dithering"},\n')],
     "src/rules/choices.h": [
-        behind('#include "rules/output/depth_test.h"\n', '#include "rules/output/dithering.h"\n'),
+        behind('#include "rules/output/fragment_tests.h"\n', '#include "rules/output/dithering.h"\n'),
         behind("  DepthTestMethod depth = DepthTestMethod::as_set;\n",
                "  Dithering dithering = Dithering::off;\n")],
     "src/rules/catalogue.cpp": [

@@ -21,7 +21,6 @@ CLEAN = {
         '#include "model/scene.h"\n// In pixels; for people only.\n'
         "double distance_inside(int a) {\n  return .5 * a;\n}\n"
         'int decide() {\n  return 1;  // not 0.5, a double\n}\nconst char* kText = "double 0.5";\n',
-    "src/rules/coverage/explain.h": "std::pair<double, double> position_of(Point point);\n",
     "src/rules/textures/a.h": "auto x = std::ldexp(std::floor(y), std::ilogb(z));  // std::log2(y)\n",
     "src/results/results_json.cpp": '#include <nlohmann/json.hpp>\n#include "model/scene.h"\n',
     "reference/gl.cpp": '#include <EGL/egl.h>\n#include <glad/gl.h>\n#include "wire/a.h"\n',
@@ -59,7 +58,7 @@ FAULTS = [
     ("src/results/a.cpp", '#include "raster/rasterizer.h"', "results may not use raster"),
     ("src/results/a.cpp", '#  include   "diff/judge.h"', "results may not use diff"),
     ("src/wire/a.cpp", '#include "casefile/loader.h"', "wire may not use casefile"),
-    ("src/casefile/a.cpp", '#include "wire/reading.h"', "casefile may not use wire"),
+    ("src/casefile/a.cpp", '#include "wire/json_values.h"', "casefile may not use wire"),
     ("src/casefile/json/z.h", '#include "casefile/mesh/a.h"', "lies above json"),
     ("src/casefile/mesh/z.cpp", '#include "casefile/scene/a.h"', "lies above mesh"),
     ("src/casefile/scene/z.cpp", '#include "casefile/sweep/a.h"', "lies above scene"),

@@ -13,8 +13,7 @@
 
 #include "casefile/loader.h"
 #include "casefile/scene/viewport.h"
-#include "casefile/suite.h"
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/support/share.h"
 

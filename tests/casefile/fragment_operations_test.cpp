@@ -10,7 +10,7 @@
 
 #include "casefile/case_writer.h"
 #include "casefile/loader.h"
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "tests/raster/random_scenes.h"
 
 namespace edgecase {

@@ -9,11 +9,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "casefile/case_schema.h"
+#include "casefile/case_reader.h"
 #include "casefile/gallery_reader.h"
 #include "casefile/json/schema.h"
-#include "casefile/scene/field_schema.h"
-#include "tests/support/known_rules.h"
+#include "casefile/scene/plain_fields.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {

@@ -13,7 +13,7 @@
 #include "casefile/loader.h"
 #include "casefile/scene/patterns.h"
 #include "casefile/scene/viewport.h"
-#include "model/scene_text.h"
+#include "model/scene.h"
 
 namespace edgecase {
 namespace {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "casefile/loader.h"
-#include "casefile/suite.h"
 #include "diff/compare.h"
 #include "diff/judge.h"
 #include "half_space.h"

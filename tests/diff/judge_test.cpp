@@ -4,7 +4,7 @@
 // causes is the likeliest.
 #include "diff/judge.h"
 #include "rules/all_rules.h"
-#include "rules/coverage/snap.h"
+#include "rules/coverage/window.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 
 #include "generate/random_shapes.h"
 #include "rules/coverage/segment.h"
-#include "rules/coverage/shared_edge.h"
+#include "rules/coverage/triangle_fill.h"
 #include "tests/generate/scene_checks.h"
 
 namespace edgecase {

@@ -13,7 +13,6 @@
 #include <set>
 #include <vector>
 
-#include "rules/coverage/shared_edge.h"
 #include "rules/coverage/triangle_fill.h"
 #include "tests/generate/scene_checks.h"
 #include "tests/support/share.h"

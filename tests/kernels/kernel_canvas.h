@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "kernels/pixel_plane.h"
+#include "kernels/kernels.h"
 
 namespace edgecase {
 

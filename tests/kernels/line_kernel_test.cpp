@@ -8,7 +8,7 @@
 #include <array>
 #include <numeric>
 
-#include "kernels/covered_pixels_kernel.h"
+#include "kernels/kernels.h"
 #include "rules/coverage/diamond_exit.h"
 #include "tests/kernels/kernel_canvas.h"
 #include "tests/support/share.h"

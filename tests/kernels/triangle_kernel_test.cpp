@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-#include "kernels/covered_pixels_kernel.h"
+#include "kernels/kernels.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "tests/kernels/kernel_canvas.h"
 #include "tests/support/share.h"
@@ -40,10 +40,6 @@ Pixels filled_pixels(Canvas& canvas, const Triangle& t, const TieRule& ties,
   const FlatTriangle flat{{raw_point(t[0]), raw_point(t[1]), raw_point(t[2])}, 0x01020304};
   fill_triangles({{&canvas.plane(), 1}, {&raw_place, 1}, bounds}, {&flat, 1}, weights_of(ties));
   return canvas.take();
-}
-
-const TieRule& open_ties() {
-  return *find_tie_rule("open");
 }
 
 std::string described(const Triangle& t, const TieRule& ties) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/counted.h"
+#include "model/text.h"
 
 #include <gtest/gtest.h>
 

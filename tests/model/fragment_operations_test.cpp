@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "model/scene.h"
-#include "model/scene_text.h"
 
 namespace edgecase {
 namespace {

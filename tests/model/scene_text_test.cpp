@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/scene_text.h"
+#include "model/scene.h"
 
 #include <gtest/gtest.h>
 

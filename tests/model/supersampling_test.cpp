@@ -9,7 +9,6 @@
 #include "exact/homogeneous.h"
 #include "exact/rational.h"
 #include "model/scene.h"
-#include "model/scene_text.h"
 
 namespace edgecase {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "exact/pixel.h"
+#include "exact/fixed.h"
 #include "rules/coverage/line_algorithm.h"  // for the names of the algorithms alone
 #include "tests/oracles/diamonds.h"
 #include "tests/oracles/ties.h"

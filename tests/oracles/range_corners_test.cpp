@@ -10,8 +10,8 @@
 #include "rules/coverage/line_areas.h"
 #include "rules/coverage/line_latitude.h"
 #include "rules/coverage/point_ownership.h"
-#include "rules/coverage/shared_edge.h"
-#include "rules/coverage/snap.h"
+#include "rules/coverage/triangle_fill.h"
+#include "rules/coverage/window.h"
 #include "tests/oracles/areas.h"
 #include "tests/oracles/support.h"
 

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "rules/coverage/point_ownership.h"
-#include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_fill.h"
+#include "rules/coverage/window.h"
 #include "tests/oracles/areas.h"
 #include "tests/oracles/support.h"
 #include "tests/support/share.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "exact/numeral.h"
-#include "rules/coverage/explain.h"
+#include "rules/rule.h"
 
 namespace edgecase {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "profile/coverage/probes.h"
 #include "rules/coverage/line_joints.h"
-#include "rules/coverage/shared_edge.h"
-#include "rules/coverage/snap.h"
+#include "rules/coverage/triangle_fill.h"
+#include "rules/coverage/window.h"
 #include "tests/generate/scene_checks.h"
 
 namespace edgecase {

@@ -111,9 +111,8 @@ TEST(OutputMeasurement, FindsEveryAlternative) {
     for (const auto& [rule, alternative] : expected) expect_found(findings, rule, alternative);
     EXPECT_EQ(findings.drawn.not_drawn, 0u) << findings.drawn.first_failure;
     EXPECT_TRUE(findings.output.blending.empty());
-    for (int kind = 0; kind < kOutputKinds; ++kind) {
-      const Trait& trait = trait_of(
-          findings, std::string("triangle.output:") + name_of(static_cast<OutputKind>(kind)));
+    for (const OutputKind kind : values_of<OutputKind>()) {
+      const Trait& trait = trait_of(findings, std::string("triangle.output:") + name_of(kind));
       EXPECT_GE(trait.rate.of, 50u);
       EXPECT_EQ(trait.rate.agreeing, trait.rate.of) << text_of(trait.id) << " " << trait.remark;
     }

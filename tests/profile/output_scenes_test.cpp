@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "generate/random_scenes.h"
-#include "generate/scene_parts.h"
+#include "generate/random_shapes.h"
 #include "profile/output/output.h"
 #include "profile/output/output_scenes.h"
 #include "raster/rasterizer.h"
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 #include "tests/generate/scene_checks.h"
 
 namespace edgecase {

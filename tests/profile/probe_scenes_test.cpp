@@ -11,9 +11,9 @@
 #include <set>
 #include <tuple>
 
-#include "generate/diamond_places.h"
+#include "generate/grids.h"
 #include "generate/random_scenes.h"
-#include "generate/scene_parts.h"
+#include "generate/random_shapes.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/triangle_fill.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "generate/random_scenes.h"
-#include "generate/scene_parts.h"
+#include "generate/random_shapes.h"
 #include "profile/samples/sample_scenes.h"
 #include "profile/samples/samples.h"
 #include "raster/rasterizer.h"

@@ -88,7 +88,7 @@ TEST(ResidualTable, NamesTheFragmentThatIsFarthestOff) {
   EXPECT_EQ(query.found().worst->id, "ramp rotated/00000");
   EXPECT_EQ(query.found().worst->pixel, (PixelPosition{fragment.x, fragment.y}));
   EXPECT_EQ(query.found().worst->primitive, fragment.primitive);
-  EXPECT_NEAR(query.found().worst->told - query.found().worst->formula, 0.25, 1e-9);
+  EXPECT_NEAR(query.found().worst->reported - query.found().worst->formula, 0.25, 1e-9);
   const LevelResiduals& color = table.rows()[1];
   ASSERT_EQ(color.source, LevelSource::color);
   EXPECT_LT(color.found().largest, 1e-9);

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Who draws layers: the framebuffer all of them, or the plain rasterizer.
-#include "raster/exact_renderer.h"
+#include "raster/rasterizer.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <span>
 
-#include "kernels/kernel_use.h"
-#include "raster/rasterizer.h"
+#include "kernels/kernels.h"
 #include "tests/raster/random_scenes.h"
 
 namespace edgecase {

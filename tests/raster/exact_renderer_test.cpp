@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "raster/exact_renderer.h"
+#include "raster/rasterizer.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "raster/rasterizer.h"
 #include "tests/raster/random_scenes.h"
 
 namespace edgecase {

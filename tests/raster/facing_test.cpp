@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Culling: which triangles make no fragments, under which choices, and what is said of them.
-#include "raster/primitives.h"
+#include "raster/coverage_stages.h"
 
 #include <gtest/gtest.h>
 

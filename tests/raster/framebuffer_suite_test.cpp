@@ -11,9 +11,7 @@
 #include <vector>
 
 #include "casefile/loader.h"
-#include "casefile/suite.h"
-#include "kernels/kernel_use.h"
-#include "raster/exact_renderer.h"
+#include "kernels/kernels.h"
 #include "raster/framebuffer.h"
 #include "raster/rasterizer.h"
 #include "tests/support/share.h"

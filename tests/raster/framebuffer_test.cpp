@@ -10,7 +10,6 @@
 #include <span>
 
 #include "kernels/tile_bins.h"
-#include "raster/exact_renderer.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/support/share.h"

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "raster/fragment_stage.h"
+#include "raster/attributes.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/operation_scenes.h"
 #include "tests/raster/random_scenes.h"

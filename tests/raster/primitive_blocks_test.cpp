@@ -2,7 +2,7 @@
 //
 // Block walks of scenes: under every choice of rules they find what the rasterizer covers, or say
 // why there is no walk.
-#include "raster/primitives.h"
+#include "raster/coverage_stages.h"
 
 #include <gtest/gtest.h>
 

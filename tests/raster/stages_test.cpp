@@ -9,7 +9,6 @@
 #include <set>
 #include <tuple>
 
-#include "raster/exact_renderer.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "rules/coverage/point_ownership.h"

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "casefile/loader.h"
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/random_scenes.h"
 

@@ -92,25 +92,27 @@ TEST(Gallery, DifferencesAreCountedByKind) {
 
 TEST(Gallery, WordsSayWhichRulesMakeTheDifference) {
   GalleryEntry entry = entry_of("One");
-  EXPECT_EQ(contrast_words(entry), "The policy and OpenGL draw the same here.");
+  EXPECT_EQ(describe_contrast(entry), "The policy and OpenGL draw the same here.");
   entry.policy = image_of({10, 20, 33, 44}, {1, 1, 1, 1});
   entry.alone = {"line.algorithm"};
-  EXPECT_EQ(contrast_words(entry),
+  EXPECT_EQ(describe_contrast(entry),
             "2 pixels have another colour, by up to 4 of 255: by line.algorithm alone. With it "
             "as OpenGL has it, the two pictures are the same.");
   entry.alone = {"line.algorithm", "line.snap"};
-  EXPECT_NE(contrast_words(entry).find("With line.algorithm or line.snap as OpenGL has it, each"),
-            std::string::npos);
+  EXPECT_NE(
+      describe_contrast(entry).find("With line.algorithm or line.snap as OpenGL has it, each"),
+      std::string::npos);
   entry.alone = {};
   entry.together = {"a.b", "c.d", "e.f"};
-  EXPECT_NE(contrast_words(entry).find("the same with a.b, c.d and e.f as OpenGL has them, and not "
-                                       "with fewer."),
-            std::string::npos);
+  EXPECT_NE(
+      describe_contrast(entry).find("the same with a.b, c.d and e.f as OpenGL has them, and not "
+                                    "with fewer."),
+      std::string::npos);
   entry.together = {"a.b", "c.d", "e.f", "g.h"};
-  EXPECT_NE(contrast_words(entry).find("and not with any three of these."), std::string::npos);
+  EXPECT_NE(describe_contrast(entry).find("and not with any three of these."), std::string::npos);
   entry.policy = image_of({10, 20, 30, 40}, {1, 1, 1, 2});
   entry.alone = {"triangle.fill-rule"};
-  EXPECT_EQ(contrast_words(entry).find("1 pixel is drawn another number of times: by "), 0U);
+  EXPECT_EQ(describe_contrast(entry).find("1 pixel is drawn another number of times: by "), 0U);
 }
 
 TEST(Gallery, APageHasItsChoicesAndPictures) {

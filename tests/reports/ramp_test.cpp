@@ -29,7 +29,7 @@ Ramp ramp_of(const std::vector<double>& rendered) {
 }
 
 std::string words_for(const Ramp& ramp) {
-  return words_of(summarize_ramp(ramp));
+  return describe(summarize_ramp(ramp));
 }
 
 TEST(Ramp, TheFarthestFromExactInsideTheBand) {
@@ -39,7 +39,7 @@ TEST(Ramp, TheFarthestFromExactInsideTheBand) {
   EXPECT_EQ(summary.from_band, 0);
   EXPECT_EQ(summary.farthest, 1U) << "the first of two";
   EXPECT_TRUE(summary.outside.empty());
-  EXPECT_EQ(words_of(summary), "At most 0.25 of a level from exact, inside the permitted band.");
+  EXPECT_EQ(describe(summary), "At most 0.25 of a level from exact, inside the permitted band.");
 }
 
 TEST(Ramp, OutsideTheBandIsCountedAndMeasuredFromItsEnds) {
@@ -48,7 +48,7 @@ TEST(Ramp, OutsideTheBandIsCountedAndMeasuredFromItsEnds) {
   EXPECT_EQ(summary.from_band, 2.125);
   EXPECT_EQ(summary.from_exact, 2.625);
   EXPECT_EQ(summary.farthest, 3U);
-  EXPECT_EQ(words_of(summary),
+  EXPECT_EQ(describe(summary),
             "At most 2.62 levels from exact; outside the permitted band at 2 of 5 fragments, by at "
             "most 2.12 levels.");
 }
@@ -106,7 +106,7 @@ TEST(Ramp, NotANumberIsOutsideAndTheFarthest) {
   EXPECT_EQ(summary.infinitely_far, 2U);
   EXPECT_EQ(summary.farthest, 2U);
   EXPECT_EQ(summary.outside, (std::vector<std::size_t>{1, 2, 3, 4}));
-  EXPECT_EQ(words_of(summary),
+  EXPECT_EQ(describe(summary),
             "Not a number at 2 of 5 fragments, infinitely far from exact at 2 of 5 fragments, "
             "elsewhere equal to exact; outside the permitted band at 4 of 5 fragments.");
   EXPECT_EQ(words_for(ramp_of({kNaN})),

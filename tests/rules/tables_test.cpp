@@ -6,10 +6,9 @@
 #include <array>
 #include <cstdlib>
 
+#include "exact/fixed.h"
 #include "exact/interval.h"
-#include "exact/pixel.h"
 #include "rules/all_rules.h"
-#include "rules/coverage/explain.h"
 #include "rules/coverage/line_latitude.h"
 #include "rules/coverage/point_ownership.h"
 #include "rules/coverage/tie_rule.h"

@@ -9,10 +9,10 @@
 
 #include "casefile/gallery_reader.h"
 #include "raster/rasterizer.h"
+#include "rules/all_rules.h"
 #include "run/policy_contrast.h"
 #include "run/selection.h"
 #include "tests/support/causes.h"
-#include "tests/support/known_rules.h"
 
 namespace edgecase {
 namespace {

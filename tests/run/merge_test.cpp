@@ -11,7 +11,7 @@
 
 #include "diff/coverage/cause.h"
 #include "results/results_json.h"
-#include "rules/coverage/snap.h"
+#include "rules/coverage/window.h"
 #include "run/judging.h"
 #include "tests/support/causes.h"
 

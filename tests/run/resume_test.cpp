@@ -8,7 +8,7 @@
 
 #include <stdexcept>
 
-#include "model/digest.h"
+#include "model/text.h"
 
 namespace edgecase {
 namespace {

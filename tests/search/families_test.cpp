@@ -15,11 +15,10 @@
 #include "casefile/case_writer.h"
 #include "casefile/scene/viewport.h"
 #include "generate/random_scenes.h"
-#include "generate/scene_parts.h"
-#include "model/scene_text.h"
+#include "generate/random_shapes.h"
+#include "model/scene.h"
 #include "rules/all_rules.h"
 #include "rules/samples/sample_placement.h"
-#include "search/scene_source.h"
 #include "tests/generate/scene_checks.h"
 #include "tests/support/causes.h"
 

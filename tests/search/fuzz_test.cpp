@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "casefile/loader.h"
-#include "search/find_file.h"
+#include "search/find.h"
 #include "search/scene_size.h"
 #include "search/trial.h"
 #include "tests/profile/altered_renderer.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "diff/compare.h"
-#include "generate/scene_parts.h"
+#include "generate/random_shapes.h"
 #include "raster/rasterizer.h"
 #include "search/scene_size.h"
 

@@ -7,7 +7,7 @@
 
 #include "casefile/case_writer.h"
 #include "casefile/loader.h"
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "search/scene_size.h"
 #include "search/steps.h"
 #include "tests/search/faulty_renderer.h"

@@ -7,8 +7,7 @@
 #include <string>
 
 #include "casefile/scene/viewport.h"
-#include "model/scene_text.h"
-#include "search/scene_size.h"
+#include "model/scene.h"
 #include "tests/search/faulty_renderer.h"
 
 namespace edgecase {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "search/signature.h"
+#include "search/trial.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "search/shrinking.h"
+#include "search/minimize.h"
 
 #include <gmock/gmock.h>
 
 #include "generate/random_scenes.h"
-#include "rules/coverage/snap.h"
+#include "rules/coverage/window.h"
 #include "rules/samples/sample_placement.h"
 #include "search/scene_size.h"
 #include "tests/search/faulty_renderer.h"

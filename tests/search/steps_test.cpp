@@ -3,7 +3,7 @@
 // Each step by itself: what it proposes where a renderer's fault leaves it one way only.
 #include <gtest/gtest.h>
 
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "search/steps.h"
 #include "tests/search/faulty_renderer.h"
 

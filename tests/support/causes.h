@@ -12,7 +12,7 @@
 
 #include "model/cause.h"
 #include "rules/all_rules.h"
-#include "rules/changes.h"
+#include "rules/choices.h"
 
 namespace edgecase {
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "exact/fixed.h"
-#include "exact/pixel.h"
 
 namespace edgecase {
 

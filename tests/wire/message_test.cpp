@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "tests/wire/scenes.h"
 #include "wire/message.h"
 #include "wire/rendering_json.h"

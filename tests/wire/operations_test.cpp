@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "tests/wire/scenes.h"
 #include "wire/answer_line.h"
 #include "wire/rendering_json.h"

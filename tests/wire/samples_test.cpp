@@ -3,7 +3,7 @@
 // Samples on their way: positions and use of them in a request, planes of them in an answer.
 #include <gmock/gmock.h>
 
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "tests/wire/scenes.h"
 #include "wire/answer_line.h"
 #include "wire/rendering_json.h"

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "tests/wire/scenes.h"
 #include "wire/answer_line.h"
 #include "wire/rendering_json.h"

@@ -9,7 +9,7 @@
 #include <limits>
 #include <set>
 
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "tests/wire/scenes.h"
 #include "wire/request_line.h"
 

@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "tests/wire/scenes.h"
 #include "wire/request_line.h"
 

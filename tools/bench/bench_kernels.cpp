@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // bench_kernels: rates of the exact rasterizer's kernels on 1024x1024 pixels, and of the plain path
-// on the same scenes where that takes less than a minute.
+// on the same scenes if that takes less than a minute.
 //
-// A triangle "of n px" is right-angled, its legs n pixels long; a line "of n px" is n pixels long
+// A triangle "of n px" is right-angled with legs n pixels long; a line "of n px" is n pixels long
 // along its major axis. Directions, positions and grid (1/256 pixel) are random, from a fixed seed.
-// Rates are items (triangles, lines) a second, and pixels a second where pixels are what counts.
+// Rates are items (triangles, lines) a second or, where pixels determine the cost, pixels a second.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -103,7 +103,8 @@ class SceneMaker {
   double number(double low, double high) {
     return std::uniform_real_distribution<>(low, high)(engine_);
   }
-  // A coordinate at least so far from the target's sides, where it has room for that.
+  // A coordinate at least `from_sides` pixels from the target's sides, if the target has room for
+  // that.
   double place(double from_sides) {
     const double margin = std::min(from_sides, kSide / 2.0);
     return number(margin, kSide - margin);
@@ -113,7 +114,7 @@ class SceneMaker {
   std::mt19937_64 engine_{1};
 };
 
-// Draws of a scene that is ready, samples resolved each time.
+// Draws a prepared scene and resolves its samples each time.
 void draw(benchmark::State& state, const Scene& scene, std::int64_t items) {
   Framebuffer framebuffer(scene.target, {});
   const auto prepared = framebuffer.prepared(scene);
@@ -156,7 +157,7 @@ void lines(benchmark::State& state) {
   draw(state, SceneMaker().lines(count, length), count);
 }
 
-// Making a scene ready.
+// Prepares a scene of triangles.
 void prepare_triangles(benchmark::State& state) {
   const Scene scene = SceneMaker().triangles(100000, 10);
   const Framebuffer framebuffer(scene.target, {});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The suite that is meant where none is named.
+// The default suite.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,12 @@
 
 namespace edgecase {
 
-// The suite that was installed with the running program: a folder named `cases`; empty where there
-// is none, as for a program in a build folder.
+// The suite that was installed with the running program: a folder named `cases`; empty if there is
+// none, as for a program in a build folder.
 std::filesystem::path installed_suite();
 
-// `cases` in the working folder; where there is none, the installed suite; where there is none
-// either, `cases` again, for the message that says so.
+// `cases` in the working folder, or else the installed suite. If neither exists, `cases`, for the
+// error message.
 std::string default_suite();
 
 }  // namespace edgecase

@@ -9,7 +9,7 @@ namespace {
 constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
 
 std::atomic<bool> flag = false;
-// A signal handler may touch nothing that takes a lock.
+// A signal handler must not use locks.
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 void raise_flag(int) {
@@ -21,7 +21,7 @@ void raise_flag(int) {
 InterruptGuard::InterruptGuard() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     before_[i] = std::signal(kSignals[i], raise_flag);
-    // Whoever started us with a signal ignored (nohup) wants it ignored.
+    // A signal that was ignored when the program started (nohup) stays ignored.
     if (before_[i] == SIG_IGN) std::signal(kSignals[i], SIG_IGN);
   }
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Being asked to stop: Ctrl-C, or the signals by which CI systems and closed terminals end a run.
+// Interruptions: Ctrl-C, and the signals by which CI systems and closed terminals end a run.
 //
-// Renderers live in process groups of their own, which no signal to ours reaches. So while any may
-// be at work, the signals only raise a flag: what draws looks at it, ends its programs, and the
-// command keeps what was finished.
+// Renderers have process groups of their own, which signals to ours do not reach. So while
+// renderers may work, signals only raise a flag. Whoever draws checks it and ends its programs, and
+// the command keeps the finished work.
 #pragma once
 
 #include <array>
@@ -12,7 +12,8 @@
 
 namespace edgecase {
 
-// While an object lives, SIGINT, SIGTERM and SIGHUP raise the flag; then they are what they were.
+// While an object lives, SIGINT, SIGTERM and SIGHUP raise the flag; afterwards their previous
+// handlers are restored.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -25,7 +26,7 @@ class InterruptGuard {
   std::array<Handler, 3> before_;
 };
 
-// Raised once, it stays raised.
+// The flag; once raised, it stays raised.
 const std::atomic<bool>& interrupted();
 
 }  // namespace edgecase

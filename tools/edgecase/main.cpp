@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The `edgecase` command: one file per subcommand, nothing but arguments and output here.
+// The `edgecase` command. It handles only arguments and output; each subcommand has a file.
 #include <CLI/CLI.hpp>
 
 #include "tools/edgecase/commands/commands.h"
@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
       "it concerns, the cause, and whether the specification allows it."};
   app.name("edgecase");
   app.set_version_flag("--version", edgecase::kToolName);
-  // At most one: were one required, a misspelt one would be reported as none.
+  // A subcommand is not required here: a misspelt one would be reported as a missing one.
   app.require_subcommand(0, 1);
   app.footer(
       "`edgecase help run` prints the options of run, and examples.\n\n"

@@ -27,7 +27,8 @@
 namespace edgecase {
 namespace {
 
-// Of a file that is read whole: several times the results of the suite where every case fails.
+// The limit of a file that is read whole: several times the size of results in which every case
+// fails.
 constexpr std::size_t kMostFileBytes = std::size_t{2} << 30;
 
 // Bazel runs a test in shards only if it touches the file that this variable names.
@@ -66,20 +67,20 @@ std::vector<std::string> policy_names(const std::filesystem::path& folder) {
   return {names.begin(), names.end()};
 }
 
-// What cannot be looked at, its folder being closed say, is none.
+// A path that cannot be accessed counts as no file.
 bool is_file(const std::filesystem::path& path) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(path, ignored);
 }
 
-// A file of the selection's suite, or, where that lacks it, the installed suite's.
+// A file of the selection's suite or, if that lacks it, the installed suite's.
 std::filesystem::path suite_file(const Selection& selection, const std::filesystem::path& name) {
   const std::filesystem::path own = suite_folder(selection) / name;
   const std::filesystem::path installed = installed_suite() / name;
   return !is_file(own) && is_file(installed) ? installed : own;
 }
 
-// The file that a policy's name stands for: itself, or one in the suite's folder.
+// The file of a policy: the path itself, or a name in the suite's folder.
 std::optional<std::filesystem::path> policy_file(const std::string& policy,
                                                  const Selection& selection) {
   if (is_file(policy)) return policy;
@@ -87,7 +88,7 @@ std::optional<std::filesystem::path> policy_file(const std::string& policy,
     const auto named = suite_file(selection, "policies/" + policy + ".json");
     if (is_file(named)) return named;
   }
-  // Where a suite has no policies of its own, the installed ones are found.
+  // If the suite has no policies, those of the installed suite are used.
   const auto folder = suite_file(selection, "policies/cs184.json").parent_path();
   const auto names = policy_names(folder);
   const std::string nearest = nearest_name(policy, names);
@@ -98,7 +99,7 @@ std::optional<std::filesystem::path> policy_file(const std::string& policy,
   return std::nullopt;
 }
 
-// Where the profile of a renderer is kept.
+// The file with the profile of a renderer.
 std::filesystem::path profile_file(const std::string& renderer, const Selection& selection) {
   return suite_file(selection,
                     std::filesystem::path("profiles") / file_name_about(known_name_of(renderer)));
@@ -110,7 +111,7 @@ std::optional<Policy> read_policy(const std::filesystem::path& file) {
   return std::move(loaded.value);
 }
 
-// What `--policy` names: a file.
+// The file that `--policy` names.
 std::optional<std::filesystem::path> find_policy(const std::string& policy,
                                                  const Selection& selection,
                                                  const std::vector<std::string>& renderers) {
@@ -129,17 +130,6 @@ std::optional<std::filesystem::path> find_policy(const std::string& policy,
 }
 
 }  // namespace
-
-std::vector<KnownRule> known_rules() {
-  std::vector<KnownRule> result;
-  for (const Rule& rule : all_rules()) {
-    KnownRule known{name_of(rule.id), {}, rule.title};
-    for (const Alternative& alternative : rule.alternatives)
-      known.alternatives.push_back(alternative.name);
-    result.push_back(std::move(known));
-  }
-  return result;
-}
 
 Selection select_cases(const std::vector<std::string>& words) {
   const std::string suite = default_suite();
@@ -264,7 +254,7 @@ void print_diagnostics(const std::vector<Diagnostic>& diagnostics) {
 }
 
 void print_to_stderr(const std::string& text) {
-  // What cannot be written there has nowhere to go; main() turns it into an exit code.
+  // A failure cannot be reported anywhere; run_program() turns it into an exit code.
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
@@ -288,7 +278,7 @@ std::optional<std::string> read_file(const std::filesystem::path& path) {
   auto opened = open_file(path);
   if (!opened) return std::nullopt;
   std::ifstream& in = *opened;
-  // A pipe or a device may have no end.
+  // Limited, since a pipe or a device may have no end.
   std::string text;
   std::string part(std::size_t{1} << 20, '\0');
   while (in.read(part.data(), static_cast<std::streamsize>(part.size())) || in.gcount() > 0) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Options that several subcommands share, and what they mean.
+// Options that several subcommands share, and their meanings.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "casefile/policy_reader.h"
 #include "model/policy.h"
 #include "run/selection.h"
 
@@ -19,22 +18,19 @@ namespace edgecase {
 
 inline constexpr const char* kToolName = "edgecase " EDGECASE_VERSION;
 
-// Every rule of the catalogue, with its alternatives.
-std::vector<KnownRule> known_rules();
-
-// An option that takes one value each time it is given, so that "--filter GLOB PATH" ends with a
+// An option with exactly one value each time it is given, so that "--filter GLOB PATH" ends with a
 // path.
 void add_repeatable(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                     const std::string& description);
 
-// What words select: paths, ids of the default suite, and globs of them (run/named_cases.h).
-// Without words the default suite.
+// The selection of words, which are paths, ids of the default suite, or globs of ids
+// (run/named_cases.h). Without words, the default suite.
 Selection select_cases(const std::vector<std::string>& words);
 
 // "there is no rule "line.snab"; did you mean "line.snap"? `edgecase rules` prints all".
 void print_no_rule(const std::string& id);
 
-// Which cases: PATH…, --filter, --exclude, --tag, --shard.
+// The options that select cases: PATH…, --filter, --exclude, --tag, --shard.
 struct SelectionOptions {
   std::vector<std::string> paths;
   std::vector<std::string> filters;
@@ -44,9 +40,9 @@ struct SelectionOptions {
   bool obeys_variables = false;  // set by add_to
 
   void add_to(CLI::App& command, bool with_shard);
-  // The selection, `cases` where no path is given; throws CLI::ValidationError for a bad --shard
-  // and, where `--shard` is an option and not given, for bad variables of CI systems. Says on
-  // standard error when variables decide, and touches the file by which Bazel learns that they do.
+  // The selection; without a path, `cases`. Throws CLI::ValidationError for a bad --shard and, if
+  // it is an option and not given, for bad variables of CI systems. If variables select a shard,
+  // prints so to standard error, and touches the file that Bazel requires.
   Selection selection() const;
 };
 
@@ -56,45 +52,45 @@ struct PolicyOptions {
   bool no_latitude = false;
 
   void add_to(CLI::App& command);
-  // `opengl`, a file, the name of a file in the suite's folder `policies`, or `profile`: what the
-  // suite's folder `profiles` has of the one renderer that is named. Prints what is wrong and
-  // returns nothing when the policy cannot be had.
+  // `opengl`, a file, the name of a file in the suite's folder `policies`, or `profile`: the
+  // profile of the only named renderer in the suite's folder `profiles`. Prints an error and
+  // returns nothing if the policy cannot be read.
   std::optional<Policy> load(const Selection& selection,
                              const std::vector<std::string>& renderers = {}) const;
 };
 
-// What each renderer is measured to follow, by name, from the suite's folder `profiles`. One that
-// is not there is no error: its differences are then explained without a profile. Prints what is
-// wrong with a file and returns nothing.
+// The renderers' profiles by name, from the suite's folder `profiles`. A missing one is no error:
+// its differences are explained without a profile. Prints an error and returns nothing for a faulty
+// file.
 std::optional<std::map<std::string, Policy>> load_profiles(
     const Selection& selection, const std::vector<std::string>& renderers);
 
 // The folder of known faults, below the suite's.
 constexpr const char* kKnownFolder = "known";
 
-// The folder whose known faults and policies belong to these paths: the nearest `cases`, or the
-// first folder given.
+// The folder with the known faults and policies for these paths: the nearest `cases`, or the first
+// given folder.
 std::filesystem::path suite_folder(const Selection& selection);
 
-// Are these all cases of the suite's folder, or a shard of them, with nothing filtered out?
+// True if the selection is the whole suite, or a shard of it, without filters.
 bool is_whole_suite(const Selection& selection);
 
-// --strict and --known, of commands that say what is unexpected.
+// --strict and --known, for commands that report unexpected results.
 void add_strict_option(CLI::App& command, bool& strict);
 void add_known_option(CLI::App& command, std::vector<std::string>& paths);
 
-// Prints diagnostics, one a line, to standard error. Here and below control characters are shown
-// as one_line() and xml_text() show them: files and programs that others wrote must not speak to a
+// Prints diagnostics to standard error, one a line. Here and below control characters are made
+// visible by one_line() and xml_text(), so that foreign files and programs cannot control a
 // terminal.
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics);
 
-// Prints a text to standard error. Never throws: an exit code says that it could not be written.
+// Prints a text to standard error. Never throws: a failure becomes an exit code.
 void print_to_stderr(const std::string& text);
 
 // Prints "edgecase: message" to standard error.
 void print_error(const std::string& message);
 
-// Says that the selection has no case.
+// Prints that the selection has no case.
 void print_nothing_selected();
 
 // A pixel of a target, x to the right and y up.
@@ -103,27 +99,26 @@ struct Pixel {
   int y = 0;
 };
 
-// "X,Y" inside the target, or none.
+// Parses "X,Y"; nothing for any other text, or a pixel outside the target.
 std::optional<Pixel> parse_pixel(const std::string& text, const Target& target);
 
-// Says that --pixel is none of this target.
+// Prints that --pixel is no pixel of this target.
 void print_no_pixel(const std::string& text, const Target& target);
 
-// Opens a file, or pipe, to be read; prints an error and returns nothing when it cannot be.
+// Opens a file or pipe for reading; prints an error and returns nothing if it cannot.
 std::optional<std::ifstream> open_file(const std::filesystem::path& path);
 
-// Reads a whole file, or pipe, of at most 2 GiB; prints an error and returns nothing when it cannot
-// be read.
+// Reads a whole file or pipe of at most 2 GiB; prints an error and returns nothing if it cannot.
 std::optional<std::string> read_file(const std::filesystem::path& path);
 
-// Writes a file that is whole at any time (output/whole_file.h), its folder made if need be; false,
-// with the error printed, when it cannot be.
+// Writes a file that is complete at any time (output/whole_file.h), and creates its folder if
+// necessary. Prints an error and returns false if it cannot.
 bool write_file(const std::filesystem::path& path, const std::string& text);
 
-// The same for what is too long to be held as one text: `write` writes into the file.
+// The same for contents too long for one text: `write` writes into the file.
 bool write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
-// Should output to `descriptor` be coloured? `choice`: auto, always or never.
+// Whether output to `descriptor` is coloured. `choice`: auto, always or never.
 bool use_color(const std::string& choice, int descriptor);
 
 }  // namespace edgecase

@@ -12,7 +12,7 @@
 #include <exception>
 #include <iostream>
 
-#include "kernels/kernel_use.h"
+#include "kernels/kernels.h"
 #include "reports/text.h"
 #include "tools/edgecase/help/usage_errors.h"
 #include "tools/edgecase/options.h"
@@ -21,7 +21,7 @@
 namespace edgecase {
 
 bool begin_program() {
-  // A limit on the size of files is an error of what is written, to be told, and no death.
+  // Exceeding a limit on the size of files is reported as an error and does not kill the program.
   std::signal(SIGXFSZ, SIG_IGN);
   const char* const name = std::getenv("EDGECASE_KERNELS");
   if (name == nullptr || *name == '\0' || use_kernels(name)) return true;
@@ -36,7 +36,7 @@ ExitCode run_program(CLI::App& app, int argc, char** argv, const std::function<E
     app.parse(argc, argv);
     exit = run();
   } catch (const CLI::ParseError& error) {
-    // Help and the version come this way too, with the code 0.
+    // Help and the version are thrown too, with code 0.
     if (error.get_exit_code() == 0) {
       app.exit(error);
     } else {

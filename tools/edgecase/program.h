@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the programs edgecase and edgecase-gtest begin and end with.
+// The beginning and end of the programs edgecase and edgecase-gtest.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,13 +10,12 @@
 
 namespace edgecase {
 
-// Prepares the process before arguments are read. False, with the error printed, where
-// EDGECASE_KERNELS asks for what there is not.
+// Prepares the process before arguments are read. Prints an error and returns false if
+// EDGECASE_KERNELS names an unknown target.
 bool begin_program();
 
-// Parses the arguments and does what they ask for: `run` yields the exit code. Prints help, the
-// version, and what is wrong with arguments; what cannot be written to standard output or error is
-// an exit code, too.
+// Parses the arguments and calls `run`, which returns the exit code. Prints help, the version and
+// errors in arguments. A failure to write to standard output or error becomes an exit code, too.
 ExitCode run_program(CLI::App& app, int argc, char** argv, const std::function<ExitCode()>& run);
 
 }  // namespace edgecase

@@ -21,7 +21,7 @@ constexpr const char* kFileName = "edgecase.toml";
 const std::vector<std::string> kOutputs = {"json",     "junit",       "html", "ctrf",
                                            "markdown", "annotations", "csv",  "triptychs"};
 
-// Reads a parsed file into a project, key by key.
+// Reads a parsed file into a project.
 class ProjectReader {
  public:
   ProjectReader(const fs::path& file, Project& project) : file_(file), project_(project) {}
@@ -36,7 +36,7 @@ class ProjectReader {
         {"outputs", [&](const auto& node) { read_outputs(node); }},
     };
     read_keys("", table, keys);
-    // What `edgecase bless` reads.
+    // `edgecase bless` reads the results that `edgecase run` writes.
     options("results") = options("--json");
   }
 
@@ -92,7 +92,7 @@ class ProjectReader {
     for (const std::string& one : cases) options("paths").push_back(own_file(one));
   }
 
-  // A folder is where `edgecase bless` writes, and until then it may be missing.
+  // `edgecase bless` writes to a folder, which may be missing before.
   void read_known(const std::vector<std::string>& known) {
     for (const std::string& one : known) {
       const bool is_folder = !one.ends_with(".json");
@@ -135,7 +135,7 @@ class ProjectReader {
     read_keys("outputs", table("outputs", node), keys);
   }
 
-  // A path of the file, from here.
+  // A path in the file, relative to the working folder.
   std::string path(const std::string& text) const {
     if (fs::path(text).is_absolute()) return text;
     std::error_code error;
@@ -145,7 +145,8 @@ class ProjectReader {
         .string();
   }
 
-  // What is a file or folder of the project is meant so; else a name, an id or a glob.
+  // The path of a file or folder of the project, if it exists; otherwise the text is a name, an id
+  // or a glob.
   std::string own_file(const std::string& text) const {
     std::error_code error;
     return fs::exists(project_.folder / text, error) ? path(text) : text;
@@ -163,7 +164,7 @@ class ProjectReader {
   Project& project_;
 };
 
-// The nearest file of that name, from here upward, as reached from here; empty: there is none.
+// The nearest project file from the working folder upward, relative to it; empty: there is none.
 fs::path nearest_file() {
   std::error_code error;
   const fs::path here = fs::current_path(error);

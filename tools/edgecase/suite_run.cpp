@@ -9,8 +9,8 @@
 #include <set>
 #include <thread>
 
-#include "model/counted.h"
 #include "model/renderer.h"
+#include "model/text.h"
 #include "results/standing.h"
 #include "run/merge.h"
 #include "run/renderer_names.h"

@@ -18,10 +18,10 @@ namespace {
 
 struct Answer {
   TestStatus status = TestStatus::passed;
-  std::string text;  // what is told of it; may be empty
+  std::string text;  // a message; may be empty
 };
 
-// The run behind the tests, made once each time that GoogleTest runs them.
+// The run behind the tests, which is done once each time that GoogleTest runs them.
 class CaseRun final : public testing::Environment {
  public:
   explicit CaseRun(CaseTests tests) : tests_(std::move(tests)) {}
@@ -30,18 +30,18 @@ class CaseRun final : public testing::Environment {
   const std::vector<Diagnostic>& diagnostics() const { return tests_.suite.diagnostics; }
   const std::vector<std::string>& renderers() const { return tests_.run.renderers; }
 
-  // Says which test stands for which case and renderer.
+  // Records the case and renderer of a test.
   void add(const std::string& name, std::size_t renderer, std::size_t index) {
     places_[name] = {renderer, index};
   }
 
-  // Null where the run did not come to it.
+  // Null if the run did not reach it.
   const Answer* find(std::size_t renderer, std::size_t index) const {
     const auto found = answers_.find({renderer, cases()[index].id});
     return found == answers_.end() ? nullptr : &found->second;
   }
 
-  // Renderers that are asked for the same cases are asked in one run.
+  // Renderers with the same selected cases share a run.
   void SetUp() override {
     answers_.clear();
     std::map<std::set<std::size_t>, std::vector<std::size_t>> runs;
@@ -89,7 +89,7 @@ class CaseRun final : public testing::Environment {
     if (!outcome.message.empty()) answer.text = outcome.message + "\n" + outcome.details;
     if (result.standing == Standing::known)
       answer.text = "known fault: " + one_line(result.standing_reason) + "\n";
-    // Hand-drawn truths that exact does not meet.
+    // Hand-drawn expectations that exact does not meet.
     for (const std::string& failure : outcome.one->expect_failures) {
       answer.status = std::max(answer.status, TestStatus::failed);
       answer.text += xml_text(failure) + "\n";
@@ -143,7 +143,7 @@ class FileTest : public testing::Test {
   std::vector<Diagnostic> diagnostics_;
 };
 
-// Gives each name once: of two ids that have one, the second gets a number.
+// Makes names unique: if two ids have the same name, the second gets a number.
 std::string unique(const std::string& suite, std::string test, std::set<std::string>& names) {
   const std::string name = test;
   for (int n = 2; !names.insert(suite + "." + test).second; ++n)

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Cases as GoogleTest tests: one a case and renderer, and one a case file that cannot be loaded.
+// Cases as GoogleTest tests: one for each case and renderer, and one for each case file that cannot
+// be loaded.
 //
-// Nothing is drawn when tests are registered or listed. When GoogleTest begins to run, it has
-// decided by its filter and shard which tests it runs, and these cases are drawn and judged as one
-// run of `edgecase run`: each renderer is started once a thread, and lines are read as that run
-// would read them. The tests then say what came of it. So a test takes no time of its own.
+// Nothing is drawn when tests are registered or listed. When GoogleTest begins to run, its filter
+// and shard have selected the tests. Their cases are then drawn and judged as one run of `edgecase
+// run`: each renderer is started once per thread, and lines are judged as in that run. The tests
+// then report the results, so a test takes no time of its own.
 #pragma once
 
 #include <map>
@@ -16,7 +17,7 @@
 
 namespace edgecase {
 
-// What is to be run.
+// The cases and options of the tests.
 struct CaseTests {
   Suite suite;
   Policy policy;
@@ -25,12 +26,13 @@ struct CaseTests {
   JudgedRun judged;     // without an earlier run
 };
 
-// What stands before the suites of each renderer's tests: nothing where there is but one.
+// The prefix of the suites of each renderer's tests; empty if there is only one renderer.
 std::vector<std::string> suite_prefixes(const std::vector<std::string>& renderers);
 
-// Registers the tests. A test passes if its answer is as expected or a known fault, which it says;
-// is skipped where the renderer does not support the scene; and fails with the explanation
-// otherwise. The id is the property "id" of GoogleTest's XML, and the failure is at the case file.
+// Registers the tests. A test passes if its answer is as expected or, with a message, a known
+// fault; it is skipped if the renderer does not support the scene; otherwise it fails with the
+// explanation. The id is the property "id" of GoogleTest's XML, and the failure is at the case
+// file.
 void register_case_tests(CaseTests tests);
 
 }  // namespace edgecase

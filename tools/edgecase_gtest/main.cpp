@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase-gtest: the cases of `edgecase run` as a GoogleTest program, for what lists, filters,
-// shards and runs such programs already: deqp-runner, ctest, Bazel, IDEs. GoogleTest takes its own
-// options, and what is left selects cases and renderers as `run` has it.
+// edgecase-gtest: the cases of `edgecase run` as a GoogleTest program, for tools that list, filter,
+// shard and run such programs: deqp-runner, ctest, Bazel, IDEs. GoogleTest takes its own options;
+// the others select cases and renderers as in `run`.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -26,19 +26,19 @@ struct GtestCommand {
   bool strict = false;
 
   void add_to(CLI::App& app) {
-    // Shards are GoogleTest's: its variables divide tests, and Bazel sets them.
+    // GoogleTest divides tests into shards by its own variables, which Bazel sets.
     selection.add_to(app, false);
     policy.add_to(app);
     add_strict_option(app, strict);
     run.add_to(app);
     add_known_option(app, known);
-    // Runners of GoogleTest programs set variables where they pass no arguments.
+    // Some runners of GoogleTest programs pass no arguments, but set variables.
     app.get_option("--against")->envname("EDGECASE_AGAINST");
     app.get_option("--jobs")->envname("EDGECASE_JOBS");
   }
 };
 
-// The tests that the options ask for, or the exit code where they cannot be had.
+// The tests that the options select, or an exit code if they cannot be loaded.
 std::variant<CaseTests, ExitCode> load_tests(const GtestCommand& command) {
   CaseTests tests;
   tests.run = command.run;

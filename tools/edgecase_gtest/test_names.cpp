@@ -5,7 +5,7 @@
 #include <set>
 #include <sstream>
 
-#include "casefile/suite.h"
+#include "casefile/loader.h"
 
 namespace edgecase {
 namespace {
@@ -15,7 +15,7 @@ bool is_plain(char c) {
          c == '=';
 }
 
-// "lines/short.every_place/start=_9" without what a sweep adds.
+// "lines/short.every_place/start=_9" without the values of a sweep.
 std::string without_values(const std::string& name) {
   const std::size_t test = name.find('.');
   return name.substr(0, name.find('/', test == std::string::npos ? 0 : test));

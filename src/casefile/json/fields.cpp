@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 #include "casefile/json/text.h"
@@ -162,6 +163,42 @@ std::optional<std::string> read_choice(const Place& place, std::string_view what
     findings.add(place, fmt::format("{} cannot be {}", what, quote(name)),
                  suggest_names(name, names.allowed));
   }
+  return std::nullopt;
+}
+
+std::optional<JsonNode> parse_json(std::string_view text, Findings& findings) {
+  JsonDocument document = parse_json(text, findings.file());
+  for (Diagnostic& diagnostic : document.diagnostics) findings.add(std::move(diagnostic));
+  return std::move(document.root);
+}
+
+Diagnostic unreadable(const std::filesystem::path& file, const TextFile& read) {
+  return {file.generic_string(), 0, "", read.message, read.remedy};
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path suite_of(const fs::path& folder) {
+  for (fs::path at = folder; at != at.root_path() && !at.empty(); at = at.parent_path())
+    if (at.filename() == "cases") return at;
+  return folder;
+}
+
+}  // namespace
+
+std::optional<fs::path> find_in_suite(const fs::path& case_file, const Place& place,
+                                      std::string_view kind, Findings& findings) {
+  const fs::path relative(place.node->text);
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(case_file, error), error).parent_path();
+  const fs::path root = suite_of(folder);
+  const fs::path file = fs::weakly_canonical(folder / relative, error);
+  const auto end = std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first;
+  if (!error && !relative.empty() && relative.is_relative() && end == root.end()) return file;
+  findings.add(place, fmt::format("{} leaves the folder of the cases", quote(place.node->text)),
+               fmt::format("name {} of the suite, by its path from the case file", kind));
   return std::nullopt;
 }
 

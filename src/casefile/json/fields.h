@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "casefile/json/json_document.h"
+#include "casefile/json/text.h"
 #include "model/case.h"
 
 namespace edgecase {
@@ -111,5 +113,40 @@ bool read_enum(const Place& place, std::string_view what, const Names& names, Fi
   const std::optional<std::string> name = read_choice(place, what, names, findings);
   return name && parse_name(*name, value);
 }
+
+// A JSON document; its faults are added to `findings`.
+std::optional<JsonNode> parse_json(std::string_view text, Findings& findings);
+
+// The value of a file, or all faults of the file.
+template <class Value>
+struct Loaded {
+  std::optional<Value> value;  // set exactly if there are no diagnostics
+  std::vector<Diagnostic> diagnostics;
+};
+
+// Why a file cannot be read.
+Diagnostic unreadable(const std::filesystem::path& file, const TextFile& read);
+
+// Loads a text by `read(root, findings)`, which returns the value.
+template <class Value, class Read>
+Loaded<Value> load_text(std::string_view text, const std::filesystem::path& file, Read read) {
+  Findings findings(file.generic_string());
+  const std::optional<JsonNode> root = parse_json(text, findings);
+  Value value;
+  if (root) value = read(*root, findings);
+  Loaded<Value> loaded;
+  loaded.diagnostics = findings.take();
+  if (loaded.diagnostics.empty()) loaded.value = std::move(value);
+  return loaded;
+}
+
+// Paths in a case file: meshes and images must lie in the suite, so that it opens nothing else.
+
+// The file that a string names, relative to `case_file`. It must lie inside the suite: the nearest
+// folder named "cases" round the case file or, if there is none, its own folder. Otherwise nothing,
+// and a finding. `kind` describes the file: "an OBJ file".
+std::optional<std::filesystem::path> find_in_suite(const std::filesystem::path& case_file,
+                                                   const Place& place, std::string_view kind,
+                                                   Findings& findings);
 
 }  // namespace edgecase

@@ -86,6 +86,12 @@ JsonPiece json_array(std::vector<JsonPiece> items) {
   return piece;
 }
 
+JsonPiece json_strings(std::span<const std::string> texts) {
+  Pieces items;
+  for (const std::string& text : texts) items.push_back(json_string(text));
+  return json_array(std::move(items));
+}
+
 JsonPiece json_object(std::vector<JsonPiece> members) {
   JsonPiece piece;
   piece.kind = JsonPiece::Kind::object;

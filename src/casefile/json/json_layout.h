@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,7 @@ JsonPiece json_scalar(std::string text);
 // Escaped and in quotes; `text` must be well-formed UTF-8.
 JsonPiece json_string(std::string_view text);
 JsonPiece json_array(std::vector<JsonPiece> items);
+JsonPiece json_strings(std::span<const std::string> texts);  // an array
 JsonPiece json_object(std::vector<JsonPiece> members);
 JsonPiece named(std::string name, JsonPiece piece);
 

@@ -167,9 +167,14 @@ JsonPiece integer_piece(int value) {
   return json_scalar(std::to_string(value));
 }
 
+namespace {
+
+// A colour's component: the shortest decimal whose nearest float32 it is; -0 is written as 0.
 JsonPiece component_piece(float value) {
   return json_scalar(short_decimal(value + 0.0F));
 }
+
+}  // namespace
 
 JsonPiece color_piece(const std::array<float, 4>& color) {
   std::vector<JsonPiece> components;

@@ -89,9 +89,6 @@ std::optional<Color> read_color(const Place& place, std::string_view what, Float
 // Numbers and colours in the form of case files.
 JsonPiece integer_piece(int value);
 
-// A colour's component: the shortest decimal whose nearest float32 it is; -0 is written as 0.
-JsonPiece component_piece(float value);
-
 // Red, green, blue and, unless it is 1, alpha.
 JsonPiece color_piece(const std::array<float, 4>& color);
 

@@ -116,10 +116,4 @@ JsonPiece schema_number(double value) {
   return json_scalar(fmt::format("{}", value));
 }
 
-JsonPiece schema_names(const std::vector<std::string>& names) {
-  Pieces items;
-  for (const std::string& name : names) items.push_back(json_string(name));
-  return json_array(std::move(items));
-}
-
 }  // namespace edgecase

@@ -35,10 +35,9 @@ std::string number_text(double value);
 // The number with all its digits.
 JsonPiece schema_number(double value);
 
-JsonPiece schema_names(const std::vector<std::string>& names);
 template <HasNames Enum>
 JsonPiece schema_names() {
-  return schema_names(names_of<Enum>());
+  return json_strings(names_of<Enum>());
 }
 
 }  // namespace edgecase

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <fstream>
+#include <system_error>
 #include <vector>
 
 namespace edgecase {
@@ -119,6 +122,30 @@ std::string suggest_names(std::string_view name, std::span<const std::string> na
   constexpr std::size_t kMostListed = 30;  // a longer list would hide the question
   if (names.size() > kMostListed) return fmt::format("did you mean {}?", quote(nearest));
   return fmt::format("did you mean {}? Allowed are {}", quote(nearest), join_names(names));
+}
+
+TextFile read_text_file(const std::filesystem::path& file, std::size_t limit) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status))
+    return {{}, "there is no such file", "check the path's spelling"};
+  if (!std::filesystem::is_regular_file(status))
+    return {{}, "this is no regular file", "name a regular file"};
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return {{}, "the file cannot be opened", "check its permissions"};
+  // Reading one byte more than allowed detects a file that is too large, even while it grows. Most
+  // files are much smaller, and memory for the largest would cost more than reading them.
+  std::string text;
+  std::array<char, 1 << 14> chunk;
+  while (stream && text.size() <= limit) {
+    stream.read(chunk.data(),
+                static_cast<std::streamsize>(std::min(chunk.size(), limit + 1 - text.size())));
+    text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  if (stream.bad()) return {{}, "the file cannot be read", "check the disk and its permissions"};
+  if (text.size() > limit)
+    return {{}, fmt::format("larger than {} bytes", limit), "make the file smaller"};
+  return {std::move(text), "", ""};
 }
 
 }  // namespace edgecase

@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: MIT
 //
-// Text utilities for messages: UTF-8, lists of names, and "did you mean".
+// Text: whole files of it, and utilities for messages: UTF-8, lists of names, "did you mean".
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace edgecase {
+
+struct TextFile {
+  std::optional<std::string> text;
+  std::string message;  // why there is no text
+  std::string remedy;
+};
+
+// Reads a whole file. Only regular files are read: a pipe or a device could block a run for ever.
+// Never throws. Refuses a file of more than `limit` bytes.
+TextFile read_text_file(const std::filesystem::path& file, std::size_t limit);
 
 // Offset of the first byte that is not part of well-formed UTF-8 (no overlong forms, no surrogates,
 // nothing above U+10FFFF); nothing if there is none.

@@ -15,7 +15,6 @@
 
 #include "casefile/json/numbers.h"
 #include "casefile/json/text.h"
-#include "casefile/json/text_file.h"
 
 namespace edgecase {
 

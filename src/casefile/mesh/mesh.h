@@ -43,7 +43,7 @@ LoadedMesh parse_mesh(const std::string& obj_text);
 // The meshes that the cases of one file use, each read once.
 class MeshShelf {
  public:
-  // Paths of meshes are relative to `case_file` (casefile/json/text_file.h).
+  // Paths of meshes are relative to `case_file` (casefile/json/fields.h).
   explicit MeshShelf(std::filesystem::path case_file) : case_file_(std::move(case_file)) {}
 
   // The mesh that a string names. Null, and a finding, if there is none, or if the cases of the

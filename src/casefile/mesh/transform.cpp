@@ -39,9 +39,13 @@ Matrix product(const Matrix& after, const Matrix& before) {
   return from_glm(to_glm(after) * to_glm(before));
 }
 
+namespace {
+
 Matrix translation(const Vector& by) {
   return from_glm(glm::translate(glm::mat4(kOne), to_glm(by)));
 }
+
+}  // namespace
 
 Matrix scaling(const Vector& by) {
   return from_glm(glm::scale(glm::mat4(kOne), to_glm(by)));
@@ -219,8 +223,6 @@ Matrix read_look_at(const Place& place, Findings& findings) {
   return kIdentity;
 }
 
-}  // namespace
-
 Matrix read_operations(const Place& place, Findings& findings) {
   Matrix matrix = kIdentity;
   if (!expect_kind(place, JsonKind::array, "a list of operations", findings)) return matrix;
@@ -235,6 +237,8 @@ Matrix read_operations(const Place& place, Findings& findings) {
   return matrix;
 }
 
+// {"look_at": ...} or a list of operations; {"perspective": ...}, {"frustum": ...},
+// {"orthographic": ...} or {"matrix": ...}.
 Matrix read_view(const Place& place, Findings& findings) {
   if (place.node->kind == JsonKind::array) return read_operations(place, findings);
   const ObjectReader object(place, "a view", kViewKeys, findings);
@@ -250,6 +254,8 @@ Matrix read_projection(const Place& place, Findings& findings) {
   if (name == "matrix") return read_matrix(*member, findings);
   return read_sides(*member, name == "frustum", findings);
 }
+
+}  // namespace
 
 Transform read_transform(const Place& place, Findings& findings) {
   Transform transform;

@@ -65,7 +65,6 @@ constexpr Matrix kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 // after * before: first `before`, then `after`.
 Matrix product(const Matrix& after, const Matrix& before);
 
-Matrix translation(const Vector& by);
 Matrix scaling(const Vector& by);
 // Counterclockwise if the axis points at the viewer; the axis need not have length 1.
 Matrix rotation(float degrees, const Vector& axis);
@@ -102,12 +101,6 @@ Transform read_transform(const Place& place, Findings& findings);
 // operations, for window coordinates, have two numbers where the others have three.
 constexpr std::size_t kMaxOperations = 64;
 std::vector<AffineStep> read_affine(const Place& place, Findings& findings);
-Matrix read_operations(const Place& place, Findings& findings);
-
-// {"look_at": ...} or a list of operations; {"perspective": ...}, {"frustum": ...},
-// {"orthographic": ...} or {"matrix": ...}.
-Matrix read_view(const Place& place, Findings& findings);
-Matrix read_projection(const Place& place, Findings& findings);
 
 // The definitions of "transform" and its parts in the schema.
 Pieces transform_schemas();

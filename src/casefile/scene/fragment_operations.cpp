@@ -77,8 +77,7 @@ Pieces term_pieces(const BlendTerm& term) {
   return members;
 }
 
-}  // namespace
-
+// Faults add a finding and leave the default of Blending.
 Blending read_blending(const Place& place, Findings& findings) {
   if (place.node->kind != JsonKind::object) {
     if (place.node->kind == JsonKind::string) return read_preset(place, findings);
@@ -101,6 +100,7 @@ Blending read_blending(const Place& place, Findings& findings) {
   return blending;
 }
 
+// The inverse, in the shortest form.
 JsonPiece blend_piece(const Blending& blending) {
   const Blending standard;
   const bool constant = blending.constant != standard.constant;
@@ -116,8 +116,6 @@ JsonPiece blend_piece(const Blending& blending) {
   if (constant) members.push_back(named("constant", color_piece(blending.constant)));
   return json_object(std::move(members));
 }
-
-namespace {
 
 constexpr const char* kStencil = "stencil";
 constexpr const char* kClearDepth = "clear_depth";

@@ -48,12 +48,6 @@ inline bool takes_factors(BlendEquation equation) {
   return equation != BlendEquation::min && equation != BlendEquation::max;
 }
 
-// Faults add a finding and leave the default of Blending.
-Blending read_blending(const Place& place, Findings& findings);
-
-// The inverse, in the shortest form.
-JsonPiece blend_piece(const Blending& blending);
-
 // Fragment operations of a draw's state: stencil and depth test, blending, colour mask, polygon
 // offset (GL 4.6 core, 14.6 and 17.3), and the buffers of a target for them.
 

@@ -13,16 +13,20 @@
 #include "exact/elementary.h"
 
 namespace edgecase {
+
+std::uint64_t mix(std::uint64_t word) {
+  word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9U;
+  word = (word ^ (word >> 27)) * 0x94D049BB133111EBU;
+  return word ^ (word >> 31);
+}
+
 namespace {
 
 // SplitMix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014): results of
 // a seed are the same on every machine. Returns 64 random bits; `state` starts as the seed.
 std::uint64_t next_word(std::uint64_t& state) {
   state += 0x9E3779B97F4A7C15U;
-  std::uint64_t word = state;
-  word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9U;
-  word = (word ^ (word >> 27)) * 0x94D049BB133111EBU;
-  return word ^ (word >> 31);
+  return mix(state);
 }
 
 constexpr std::int64_t kUnitWeight = std::int64_t{1} << 16;

@@ -28,6 +28,10 @@ constexpr int kLeastPlace = -1;
 constexpr int kLargestPlace = 2;
 constexpr Fixed kMaxRadius = Fixed::from_raw(3 * Fixed::kOne / 2);  // of a filter, pixels
 
+// The finalizer of SplitMix64 (Steele, Lea, Flood 2014): a bijection of 64-bit words in which each
+// bit of the input flips half of the output's bits.
+std::uint64_t mix(std::uint64_t word);
+
 // Points of one pixel, from its lower left corner: 0 to below 1, y up.
 using Pattern = std::vector<Point>;
 

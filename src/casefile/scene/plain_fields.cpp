@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "casefile/scene/field_schema.h"
 #include "exact/numeral.h"
 
 namespace edgecase {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "casefile/scene/patterns.h"
 #include "casefile/scene/samples.h"
 #include "casefile/scene/viewport.h"
 #include "exact/numeral.h"
@@ -14,14 +15,6 @@
 namespace edgecase {
 
 namespace {
-
-// The finalizer of SplitMix64 (Steele, Lea, Flood 2014): a bijection of 64-bit words in which each
-// bit of the input flips half of the output's bits.
-std::uint64_t mix(std::uint64_t word) {
-  word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9U;
-  word = (word ^ (word >> 27)) * 0x94D049BB133111EBU;
-  return word ^ (word >> 31);
-}
 
 // The float32 nearest to level / 255.
 float component(std::uint64_t level) {

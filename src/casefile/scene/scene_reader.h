@@ -40,11 +40,6 @@ struct TargetFields {
 
 TargetFields read_target(const Place& place, Findings& findings);
 
-// {"x", "y", "width", "height"} in whole pixels: corners from -16384 to 16384, sizes from
-// `least_size` to 16384. `what` names it in messages: "a viewport".
-std::optional<Viewport> read_rectangle(const Place& place, std::string_view what, int least_size,
-                                       Findings& findings);
-
 // A draw as written, with places for the messages of later checks.
 struct VertexFields {
   Vertex vertex;

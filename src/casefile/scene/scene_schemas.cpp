@@ -8,7 +8,7 @@
 #include "casefile/json/numbers.h"
 #include "casefile/json/schema.h"
 #include "casefile/mesh/mesh.h"
-#include "casefile/scene/field_schema.h"
+#include "casefile/scene/plain_fields.h"
 #include "casefile/scene/scene_reader.h"
 #include "casefile/scene/viewport.h"
 
@@ -134,7 +134,7 @@ constexpr std::string_view kTargetSchema = R"json({
 
 Pieces target_schemas() {
   return schema_pieces(kTargetSchema,
-                       {named("required", schema_names(required_keys<Target>())),
+                       {named("required", json_strings(required_keys<Target>())),
                         named("fields", json_object(field_schemas<Target>())),
                         named("samples", schema_number(kMaxSamples)),
                         named("depth_range", json_array({exact_piece(DepthRange().near),
@@ -282,7 +282,7 @@ JsonPiece primitives_of_kind(PrimitiveKind kind) {
   std::vector<std::string> names;
   for (const Primitive primitive : values_of<Primitive>())
     if (kind_of(primitive) == kind) names.emplace_back(name_of(primitive));
-  return schema_names(names);
+  return json_strings(names);
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 
 #include "casefile/json/numbers.h"
 #include "casefile/json/text.h"
-#include "casefile/json/text_file.h"
 #include "casefile/scene/patterns.h"
 #include "image/image_file.h"
 

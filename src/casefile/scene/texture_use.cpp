@@ -8,7 +8,6 @@
 #include "casefile/json/float32.h"
 #include "casefile/json/schema.h"
 #include "casefile/json/text.h"
-#include "casefile/scene/field_schema.h"
 #include "casefile/scene/plain_fields.h"
 
 namespace edgecase {

@@ -342,7 +342,7 @@ Pieces texture_schemas() {
        named("side", schema_number(kMaxTextureSize)),
        named("formats", schema_names<TextureFormat>()),
        named("format", json_string(name_of(Texture().format))),
-       named("mipmaps", schema_names(kMipmaps)),
+       named("mipmaps", json_strings(kMipmaps)),
        named("levels", schema_number(level_count(kMaxTextureSize, kMaxTextureSize))),
        named("seed", schema_number(kMaxNoiseSeed))});
 }

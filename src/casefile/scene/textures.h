@@ -32,7 +32,7 @@ constexpr float kMaxTexel = 3.40282346638528859811704183484516925e+38F;
 // The textures of one file's cases, each made once: cases with equal descriptions share a texture.
 class TextureShelf {
  public:
-  // Paths of images are relative to `case_file` (casefile/json/text_file.h).
+  // Paths of images are relative to `case_file` (casefile/json/fields.h).
   explicit TextureShelf(std::filesystem::path case_file) : case_file_(std::move(case_file)) {}
 
   // The texture that an object describes. Null, and a finding, if it is faulty, or if the textures

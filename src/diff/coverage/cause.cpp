@@ -7,7 +7,7 @@
 
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
-#include "rules/changes.h"
+#include "rules/choices.h"
 #include "rules/coverage/homogeneous_line.h"
 
 namespace edgecase {

@@ -14,16 +14,16 @@
 #include "diff/coverage/legality.h"
 #include "exact/numeral.h"
 #include "model/fragments.h"
-#include "raster/primitives.h"
+#include "raster/coverage_stages.h"
 #include "rules/all_rules.h"
 #include "rules/coverage/clip_volume.h"
 #include "rules/coverage/diamond_exit.h"
-#include "rules/coverage/explain.h"
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/coverage/point_ownership.h"
-#include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
+#include "rules/coverage/window.h"
+#include "rules/rule.h"
 
 namespace edgecase {
 namespace {

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "exact/pixel.h"
+#include "exact/fixed.h"
 #include "model/rendering.h"
 #include "model/sampling.h"
 #include "model/scene.h"
 #include "model/verdict.h"
 #include "rules/choices.h"
-#include "rules/coverage/explain.h"
+#include "rules/rule.h"
 
 namespace edgecase {
 

@@ -15,9 +15,9 @@
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/line_latitude.h"
 #include "rules/coverage/point_ownership.h"
-#include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
+#include "rules/coverage/window.h"
 #include "rules/samples/multisampled_line.h"
 
 namespace edgecase {

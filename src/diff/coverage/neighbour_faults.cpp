@@ -13,9 +13,9 @@
 #include "raster/rasterizer.h"
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/line_joints.h"
-#include "rules/coverage/shared_edge.h"
-#include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_algorithm.h"
+#include "rules/coverage/triangle_fill.h"
+#include "rules/coverage/window.h"
 
 namespace edgecase {
 namespace {

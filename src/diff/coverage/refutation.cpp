@@ -12,9 +12,8 @@
 #include <vector>
 
 #include "raster/coverage_stages.h"
-#include "raster/primitives.h"
 #include "raster/rasterizer.h"
-#include "rules/changes.h"
+#include "rules/choices.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/triangle_fill.h"
 

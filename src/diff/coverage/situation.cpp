@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "exact/fixed.h"
-#include "rules/coverage/clip_polygon.h"
+#include "rules/coverage/clip_volume.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/triangle_algorithm.h"

@@ -9,7 +9,7 @@
 #include "exact/fixed.h"
 #include "exact/rational.h"
 #include "model/clipped_line.h"
-#include "rules/coverage/clip_polygon.h"
+#include "rules/coverage/clip_volume.h"
 #include "rules/coverage/triangle_algorithm.h"
 
 namespace edgecase {

@@ -9,9 +9,9 @@
 #pragma once
 
 #include "model/scene.h"
-#include "rules/coverage/clip_polygon.h"
+#include "rules/coverage/clip_volume.h"
 #include "rules/coverage/line_latitude.h"
-#include "rules/coverage/snap.h"
+#include "rules/coverage/window.h"
 
 namespace edgecase {
 

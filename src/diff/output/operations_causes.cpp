@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "rules/all_rules.h"
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 
 namespace edgecase {
 namespace {

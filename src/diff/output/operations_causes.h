@@ -10,7 +10,7 @@
 
 #include "diff/output/operations_question.h"
 #include "model/result.h"
-#include "rules/changes.h"
+#include "rules/choices.h"
 
 namespace edgecase {
 

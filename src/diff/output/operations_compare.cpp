@@ -7,7 +7,7 @@
 #include "diff/output/operations_causes.h"
 #include "diff/output/operations_question.h"
 #include "rules/all_rules.h"
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 
 namespace edgecase {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 
 namespace edgecase {
 

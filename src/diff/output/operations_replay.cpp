@@ -8,8 +8,8 @@
 
 #include "diff/values/pixel_values.h"
 #include "diff/values/sample_writers.h"
-#include "raster/primitives.h"
-#include "rules/values/depth_buffer.h"
+#include "raster/coverage_stages.h"
+#include "rules/values/framebuffer.h"
 
 namespace edgecase {
 namespace {

@@ -19,7 +19,6 @@
 
 #include "diff/values/pixel_values.h"
 #include "diff/values/sample_writers.h"
-#include "rules/samples/alpha_to_coverage.h"
 #include "rules/samples/resolve.h"
 #include "rules/samples/sample_mask.h"
 

@@ -6,7 +6,7 @@
 
 #include "diff/textures/texture_lookups.h"
 #include "rules/textures/directed.h"
-#include "rules/textures/precision.h"
+#include "rules/textures/texel_filter.h"
 
 namespace edgecase {
 

@@ -16,7 +16,7 @@
 #include "diff/textures/exact_lookups.h"
 #include "diff/textures/texture_ways.h"
 #include "diff/values/value_diff.h"
-#include "rules/textures/precision.h"
+#include "rules/textures/texel_filter.h"
 #include "rules/values/derivative.h"
 
 namespace edgecase {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "rules/all_rules.h"
-#include "rules/changes.h"
+#include "rules/choices.h"
 
 namespace edgecase {
 namespace {

@@ -17,7 +17,7 @@
 #include "diff/values/sample_writers.h"
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 
 namespace edgecase {
 namespace {

@@ -17,7 +17,7 @@
 #include "diff/values/value_diff.h"
 #include "diff/values/value_judge.h"
 #include "rules/all_rules.h"
-#include "rules/values/flat_attribute.h"
+#include "rules/values/attributes.h"
 
 namespace edgecase {
 namespace {

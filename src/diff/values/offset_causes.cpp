@@ -12,9 +12,9 @@
 #include "diff/coverage/vertex_latitude.h"
 #include "diff/values/value_diff.h"
 #include "rules/all_rules.h"
-#include "rules/changes.h"
+#include "rules/choices.h"
 #include "rules/output/polygon_offset.h"
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 
 namespace edgecase {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "diff/values/value_diff.h"
-#include "rules/samples/alpha_to_coverage.h"
+#include "rules/samples/sample_mask.h"
 
 namespace edgecase {
 

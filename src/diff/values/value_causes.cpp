@@ -9,7 +9,7 @@
 #include "diff/values/offset_causes.h"
 #include "diff/values/sample_writers.h"
 #include "rules/all_rules.h"
-#include "rules/changes.h"
+#include "rules/choices.h"
 
 namespace edgecase {
 namespace {

@@ -7,7 +7,7 @@
 #include <array>
 
 #include "diff/values/value_diff.h"
-#include "rules/changes.h"
+#include "rules/choices.h"
 
 namespace edgecase {
 

@@ -11,9 +11,9 @@
 #include "diff/coverage/vertex_latitude.h"
 #include "model/fragments.h"
 #include "raster/rasterizer.h"
-#include "rules/coverage/clip_polygon.h"
-#include "rules/coverage/explain.h"
+#include "rules/coverage/clip_volume.h"
 #include "rules/output/polygon_offset.h"
+#include "rules/rule.h"
 #include "rules/values/inexact_interpolation.h"
 
 namespace edgecase {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/pixel.h"
+#include "exact/fixed.h"
 #include "model/policy.h"
 #include "model/rendering.h"
 #include "model/result.h"
@@ -21,7 +21,7 @@
 #include "raster/attributes.h"
 #include "rules/choices.h"
 #include "rules/textures/level_of_detail.h"
-#include "rules/values/permitted_interpolation.h"
+#include "rules/values/inexact_interpolation.h"
 
 namespace edgecase {
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "casefile/scene/viewport.h"
+#include "generate/random_shapes.h"
 #include "generate/random_source.h"
-#include "generate/scene_parts.h"
 #include "profile/evidence/tally.h"
 
 namespace edgecase {

@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdlib>
 
-#include "generate/diamond_places.h"
-#include "generate/scene_parts.h"
+#include "generate/grids.h"
+#include "generate/random_shapes.h"
 #include "profile/coverage/probes.h"
 #include "rules/coverage/triangle_fill.h"
 
@@ -174,12 +174,12 @@ RawVector sixteenths(std::int64_t count, RawVector direction) {
 
 // The number of pixels on which open and closed edges disagree.
 int count_ties(const Triangle& triangle) {
-  static const TieRule& open = *find_tie_rule("open");
-  static const TieRule& closed = *find_tie_rule("closed");
   int ties = 0;
   for (int y = 0; y < kTarget; ++y)
     for (int x = 0; x < kTarget; ++x)
-      if (triangle_covers(triangle, x, y, open) != triangle_covers(triangle, x, y, closed)) ++ties;
+      if (triangle_covers(triangle, x, y, open_ties()) !=
+          triangle_covers(triangle, x, y, closed_ties()))
+        ++ties;
   return ties;
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "generate/diamond_places.h"
-#include "generate/scene_parts.h"
+#include "generate/grids.h"
+#include "generate/random_shapes.h"
 #include "profile/coverage/probes.h"
 #include "rules/coverage/line_joints.h"
 
@@ -28,7 +28,7 @@ enum Stream : std::uint64_t { kPlaced, kWandering, kTurning };
 
 using Chain = std::vector<Point>;
 
-std::int64_t random_step(RandomSource& random) {
+std::int64_t random_chain_step(RandomSource& random) {
   constexpr std::array kBits{1, 2, 4, 4, 8, 8, 16};
   return kOne >> random.one_of(std::span<const int>(kBits));
 }
@@ -57,19 +57,14 @@ bool centre_chain(Chain& chain) {
 // A strip contains each joint once, separate lines contain it twice.
 Scene joint_scene(Surface surface, const Chain& chain, bool as_strip) {
   if (as_strip) return scene_of(surface, kTarget, Primitive::line_strip, chain);
-  Chain pairs;
-  for (std::size_t i = 1; i < chain.size(); ++i) {
-    pairs.push_back(chain[i - 1]);
-    pairs.push_back(chain[i]);
-  }
-  return scene_of(surface, kTarget, Primitive::lines, pairs);
+  return scene_of(surface, kTarget, Primitive::lines, separate_lines(chain));
 }
 
 // A chain in one direction whose first joint is at a place of pixel (0, 0).
 Chain placed_chain(RandomSource& random, LineDirection direction, DiamondPlace place,
                    int segments) {
   for (;;) {
-    const std::int64_t step = random_step(random);
+    const std::int64_t step = random_chain_step(random);
     const Point joint = random_point_at(place, random, std::min(step, kOne / 16));
     const std::int64_t first = random_length(random);
     Chain chain{joint - random_along(random, direction, first, step), joint};
@@ -85,7 +80,7 @@ Chain placed_chain(RandomSource& random, LineDirection direction, DiamondPlace p
 // places of diamonds or anywhere.
 Chain wandering_chain(RandomSource& random, int segments) {
   for (;;) {
-    const std::int64_t step = random_step(random);
+    const std::int64_t step = random_chain_step(random);
     const int axis = static_cast<int>(4 * random.below(4));
     const auto place = static_cast<DiamondPlace>(random.below(kDiamondPlaces));
     Chain chain{random_point_at(place, random, std::min(step, kOne / 16))};
@@ -106,7 +101,7 @@ Chain wandering_chain(RandomSource& random, int segments) {
 Chain turning_chain(RandomSource& random, LineDirection from, LineDirection to,
                     DiamondPlace place) {
   for (;;) {
-    const std::int64_t step = random_step(random);
+    const std::int64_t step = random_chain_step(random);
     const Point joint = random_point_at(place, random, std::min(step, kOne / 16));
     const std::int64_t before = random_length(random);
     Chain chain{joint - random_along(random, from, before, step), joint};

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "diff/coverage/neighbour_faults.h"
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "profile/evidence/tally.h"
 #include "raster/rasterizer.h"
-#include "rules/values/flat_attribute.h"
+#include "rules/values/attributes.h"
 
 namespace edgecase {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
+#include "generate/random_shapes.h"
 #include "generate/random_source.h"
-#include "generate/scene_parts.h"
 #include "profile/coverage/probes.h"
 
 namespace edgecase {

@@ -15,14 +15,14 @@
 #include <string>
 #include <vector>
 
+#include "exact/fixed.h"
 #include "exact/interval.h"
-#include "exact/pixel.h"
 #include "model/fragment_operations.h"
 #include "model/policy.h"
 #include "model/sampling.h"
 #include "model/scene.h"
 #include "profile/evidence/drawing.h"
-#include "profile/evidence/trait.h"
+#include "profile/evidence/tally.h"
 #include "rules/choices.h"
 
 namespace edgecase {
@@ -99,8 +99,8 @@ struct ResidualExample {
   Scene scene;
   int primitive = 0;
   PixelPosition pixel;
-  double told = 0;     // by the renderer, in levels
-  double formula = 0;  // in levels
+  double reported = 0;  // by the renderer, in levels
+  double formula = 0;   // in levels
 };
 
 // The distances of the renderer's levels from those of one formula.

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "profile/evidence/drawing.h"
-#include "profile/evidence/trait.h"
+#include "profile/evidence/tally.h"
 #include "rules/choices.h"
 
 namespace edgecase {

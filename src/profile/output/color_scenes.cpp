@@ -7,9 +7,66 @@
 #include <span>
 #include <utility>
 
+#include "generate/random_shapes.h"
 #include "profile/output/output_scenes.h"
 
 namespace edgecase {
+
+RandomSource random_of(std::uint64_t seed, OutputStream stream, Surface surface,
+                       std::uint64_t index) {
+  // Windows have different scenes, so that both surfaces together show more.
+  constexpr std::uint64_t kWindowStreams = 0x1000;
+  return {seed,
+          static_cast<std::uint64_t>(stream) + (surface == Surface::window ? kWindowStreams : 0),
+          index};
+}
+
+Scene cell_scene(Surface surface) {
+  return empty_scene(surface, kCellColumns);
+}
+
+Draw cell_draw() {
+  Draw draw;
+  draw.primitive = Primitive::triangles;
+  draw.interpolation = Interpolation::flat;
+  return draw;
+}
+
+void add_triangle(Draw& draw, std::size_t cell, const CellTriangle& triangle) {
+  const auto column = static_cast<std::int64_t>(cell % kCellColumns);
+  const auto row = static_cast<std::int64_t>(cell / kCellColumns);
+  constexpr std::array<std::array<std::int64_t, 2>, 3> kQuarters{{{1, 1}, {3, 1}, {2, 3}}};
+  std::array<Vertex, 3> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    corners[i].position = {Fixed::from_raw((4 * column + kQuarters[i][0]) * Fixed::kOne / 4),
+                           Fixed::from_raw((4 * row + kQuarters[i][1]) * Fixed::kOne / 4)};
+    corners[i].z = triangle.z[i];
+    corners[i].color = triangle.color;
+  }
+  if (!triangle.front_facing) std::swap(corners[0], corners[1]);
+  draw.vertices.insert(draw.vertices.end(), corners.begin(), corners.end());
+}
+
+CellTriangle flat_triangle(const Color& color, std::int64_t depth, bool front_facing) {
+  const Fixed z = z_of_depth(depth);
+  return {color, {z, z, z}, front_facing};
+}
+
+PixelPosition cell_pixel(const ScenePrimitive& primitive) {
+  const Point corner = primitive.vertices[0]->position;
+  return {static_cast<int>(corner.x.floor()), static_cast<int>(corner.y.floor())};
+}
+
+float code_color(std::int64_t code) {
+  return static_cast<float>(code) / 255.0F;
+}
+
+Color random_codes(RandomSource& random) {
+  Color color;
+  for (float& component : color) component = code_color(random.below(256));
+  return color;
+}
+
 namespace {
 
 constexpr std::int64_t kCodes = 256;
@@ -52,18 +109,6 @@ std::vector<float> plain_values() {
   return values;
 }
 
-// A code, or any number of 20 bits.
-float random_component(RandomSource& random) {
-  if (random.one_in(2)) return code_color(random.below(kCodes));
-  return static_cast<float>(random.below((1 << 20) + 1)) * 0x1p-20F;
-}
-
-Color random_color(RandomSource& random) {
-  Color color;
-  for (float& component : color) component = random_component(random);
-  return color;
-}
-
 // A scene in which each cell already has a random code.
 Scene stored_codes(RandomSource& random, Surface surface) {
   Scene scene = cell_scene(surface);
@@ -91,7 +136,7 @@ Scene terms_scene(RandomSource& random, Surface surface, BlendFactor destination
                       destination};
     blending.alpha = {random.one_of(std::span<const BlendEquation>(kEquations)),
                       random.one_of(std::span<const BlendFactor>(kFactors)), destination};
-    for (float& component : blending.constant) component = random_component(random);
+    for (float& component : blending.constant) component = random_color_component(random);
     add_blended(scene, random, blending, term * kCellsOfATerm, kCellsOfATerm);
   }
   return scene;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "profile/output/output_scenes.h"
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 
 namespace edgecase {
 

@@ -12,7 +12,7 @@
 
 #include "generate/random_scenes.h"
 #include "profile/output/output_scenes.h"
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 
 namespace edgecase {
 namespace {
@@ -44,7 +44,7 @@ class OutputMeasurement {
     find_depth_test();
     find_stencil_test();
     find_offset();
-    for (int kind = 0; kind < kOutputKinds; ++kind) find_agreement(static_cast<OutputKind>(kind));
+    for (const OutputKind kind : values_of<OutputKind>()) find_agreement(kind);
   }
 
  private:
@@ -193,7 +193,7 @@ std::size_t scene_count(std::size_t scenes_per_kind) {
                       color_mask_scenes(1, Surface::fbo).size() +
                       blend_scenes(1, Surface::fbo).size() + kDepthFormats.size() + 3 +
                       3 * stencil_scenes(1, Surface::fbo, DepthFormat::none).size() +
-                      kOutputKinds * random_count(scenes_per_kind);
+                      values_of<OutputKind>().size() * random_count(scenes_per_kind);
   for (const DepthFormat format : kDepthFormats) {
     count += depth_test_scenes(1, Surface::fbo, format).size() +
              offset_unit_scenes(Surface::fbo, format).size() +

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "exact/pixel.h"
+#include "exact/fixed.h"
 #include "generate/random_source.h"
 #include "model/scene.h"
 

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "generate/scene_parts.h"
+#include "generate/random_shapes.h"
 #include "profile/samples/samples.h"
 #include "rules/samples/attribute_location.h"
 #include "rules/samples/sample_mask.h"

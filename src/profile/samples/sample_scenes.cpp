@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "generate/random_shapes.h"
 #include "generate/random_source.h"
-#include "generate/scene_parts.h"
 
 namespace edgecase {
 namespace {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "exact/pixel.h"
-#include "generate/diamond_places.h"
+#include "exact/fixed.h"
+#include "generate/grids.h"
 #include "model/names.h"
 #include "model/sampling.h"
 #include "model/scene.h"

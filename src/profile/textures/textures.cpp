@@ -261,7 +261,7 @@ class TextureMeasurement {
              LevelSource source) const {
     const RampLevels ramp(scene, found_floats_);
     return std::ranges::any_of(lookups_of(rendering, kPerRamp), [&](const FragmentLookup& lookup) {
-      return lookup.pixel == example.pixel && ramp.reported(lookup, source) == example.told;
+      return lookup.pixel == example.pixel && ramp.reported(lookup, source) == example.reported;
     });
   }
 

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "exact/fixed.h"
 #include "exact/interval.h"
-#include "exact/pixel.h"
 #include "model/rendering.h"
 #include "model/scene.h"
 #include "profile/evidence/findings.h"

@@ -14,7 +14,7 @@
 #include "profile/evidence/tally.h"
 #include "profile/values/values.h"
 #include "raster/attributes.h"
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 
 namespace edgecase {
 namespace {

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/pixel.h"
+#include "exact/fixed.h"
 #include "model/rendering.h"
 #include "model/scene.h"
 #include "profile/evidence/findings.h"
@@ -39,10 +39,6 @@ struct SampledScene {
   std::vector<Sample> samples;
 };
 SampledScene sampled(Scene scene, const Rendering& rendering, std::size_t most);
-
-// attribute.perspective, attribute.smooth, attribute.positions. `found` has what is known so far,
-// coverage and snapping, and receives the results.
-std::vector<Trait> infer_values(std::span<const SampledScene> scenes, RuleChoices& found);
 
 // derivative.plain, derivative.fine, derivative.coarse: the method that yields most samples, in x
 // and in y, with every operation inexact; and derivative.quad-rows. Only samples that some methods

@@ -169,20 +169,6 @@ class Walker {
 
 }  // namespace
 
-const char* name_of(BlockDecision decision) {
-  switch (decision) {
-    case BlockDecision::rejected:
-      return "rejected";
-    case BlockDecision::accepted:
-      return "accepted";
-    case BlockDecision::divided:
-      return "divided";
-    case BlockDecision::tested:
-      return "tested";
-  }
-  return "?";
-}
-
 BlockWalk walk_blocks(const HomogeneousTriangle& triangle, const BlockGrid& grid,
                       const TieRule& ties) {
   if (cross(triangle[0], triangle[1], triangle[2]) == 0) return {};

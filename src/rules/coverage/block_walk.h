@@ -35,9 +35,12 @@ enum class BlockDecision {
   divided,   // neither: its smaller blocks follow
   tested,    // neither: its samples are tested one by one
 };
-
-// "rejected", "accepted", "divided", "tested".
-const char* name_of(BlockDecision decision);
+template <>
+inline constexpr auto kNames<BlockDecision> =
+    std::to_array<Named<BlockDecision>>({{BlockDecision::rejected, "rejected"},
+                                         {BlockDecision::accepted, "accepted"},
+                                         {BlockDecision::divided, "divided"},
+                                         {BlockDecision::tested, "tested"}});
 
 // The samples that a triangle covers in a pixel: bit s for sample s, at least one.
 struct PixelSamples {

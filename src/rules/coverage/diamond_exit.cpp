@@ -39,11 +39,6 @@ bool inside_sides(Rotated low, Rotated high, const Diamond& d, const TieRule& ti
          ties.positive(d.centre.v + d.radius - low.v, 1, -1);
 }
 
-const TieRule& open_ties() {
-  static const TieRule& rule = *find_tie_rule("open");
-  return rule;
-}
-
 // True if the segment from a to b meets the diamond, with ties decided by a tie rule.
 bool meets_by_ties(Rotated a, Rotated b, const Diamond& d, const TieRule& ties) {
   const Rotated low{std::min(a.u, b.u), std::min(a.v, b.v)};

@@ -17,8 +17,6 @@
 #include <vector>
 
 #include "exact/fixed.h"
-#include "exact/pixel.h"
-#include "rules/coverage/explain.h"
 #include "rules/coverage/segment.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/rule.h"

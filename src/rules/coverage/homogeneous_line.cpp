@@ -135,11 +135,6 @@ unsigned owned_parts(const HomogeneousSegment& segment, const DiamondBoundary& b
   return segment.x_major() ? boundary.x_major_parts : boundary.y_major_parts;
 }
 
-const TieRule& open_ties() {
-  static const TieRule& rule = *find_tie_rule("open");
-  return rule;
-}
-
 }  // namespace
 
 bool HomogeneousSegment::x_major() const {

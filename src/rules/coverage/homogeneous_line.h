@@ -13,8 +13,8 @@
 
 #include <vector>
 
+#include "exact/fixed.h"
 #include "exact/homogeneous.h"
-#include "exact/pixel.h"
 #include "rules/coverage/line_algorithm.h"
 
 namespace edgecase {

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "exact/pixel.h"
+#include "exact/fixed.h"
 #include "rules/coverage/segment.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/rule.h"

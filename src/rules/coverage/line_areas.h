@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "exact/pixel.h"
+#include "exact/fixed.h"
 #include "rules/coverage/segment.h"
 #include "rules/coverage/tie_rule.h"
 

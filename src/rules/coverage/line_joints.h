@@ -16,7 +16,7 @@
 #include <span>
 #include <string>
 
-#include "exact/pixel.h"
+#include "exact/fixed.h"
 #include "rules/coverage/segment.h"
 #include "rules/rule.h"
 

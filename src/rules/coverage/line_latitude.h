@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/pixel.h"
+#include "exact/fixed.h"
 #include "rules/coverage/segment.h"
 
 namespace edgecase {

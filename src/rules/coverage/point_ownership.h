@@ -13,7 +13,6 @@
 #include <span>
 
 #include "exact/homogeneous.h"
-#include "rules/coverage/explain.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/rule.h"
 

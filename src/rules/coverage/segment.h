@@ -7,7 +7,6 @@
 #include <cstdlib>
 
 #include "exact/fixed.h"
-#include "exact/pixel.h"
 
 namespace edgecase {
 

@@ -49,6 +49,16 @@ const TieRule* find_tie_rule(std::string_view name) {
   return nullptr;
 }
 
+const TieRule& open_ties() {
+  static const TieRule& rule = *find_tie_rule("open");
+  return rule;
+}
+
+const TieRule& closed_ties() {
+  static const TieRule& rule = *find_tie_rule("closed");
+  return rule;
+}
+
 std::vector<Alternative> tie_alternatives(std::span<const TieRule> rules, Openness perturbed,
                                           Openness open_and_closed) {
   std::vector<Alternative> result;

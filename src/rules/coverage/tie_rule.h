@@ -63,6 +63,8 @@ std::span<const TieRule> all_tie_rules();
 
 // Null if there is none of that name.
 const TieRule* find_tie_rule(std::string_view name);
+const TieRule& open_ties();  // "open" and "closed" of the catalogue
+const TieRule& closed_ties();
 
 // Catalogue entries for a rule whose alternatives are these tie rules.
 std::vector<Alternative> tie_alternatives(std::span<const TieRule> rules, Openness perturbed,

@@ -61,10 +61,9 @@ std::vector<PixelPosition> triangle_pixels(const Triangle& triangle, const Pixel
 
 std::vector<PixelPosition> tied_triangle_pixels(const Triangle& triangle,
                                                 const PixelBounds& bounds) {
-  static const TieRule& open = *find_tie_rule("open");
-  static const TieRule& closed = *find_tie_rule("closed");
-  std::vector<PixelPosition> pixels = by_edge_functions(triangle, bounds, closed);
-  std::erase_if(pixels, [&](PixelPosition p) { return triangle_covers(triangle, p.x, p.y, open); });
+  std::vector<PixelPosition> pixels = by_edge_functions(triangle, bounds, closed_ties());
+  std::erase_if(pixels,
+                [&](PixelPosition p) { return triangle_covers(triangle, p.x, p.y, open_ties()); });
   return pixels;
 }
 

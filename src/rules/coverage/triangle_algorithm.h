@@ -10,8 +10,8 @@
 #include <array>
 #include <vector>
 
+#include "exact/fixed.h"
 #include "exact/homogeneous.h"
-#include "exact/pixel.h"
 #include "model/sampling.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/coverage/triangle_fill.h"

@@ -8,15 +8,16 @@
 #include <cstdlib>
 
 namespace edgecase {
-namespace {
 
-// The name of an edge a -> b of a counter-clockwise triangle, y up. Its interior is on its left, so
-// an edge that goes down has it to the right in the window, and is a left edge.
+// The interior is on the left of the edge, so an edge that goes down has it to the right in the
+// window, and is a left edge.
 const char* edge_kind(Point a, Point b) {
   if (b.y < a.y) return "left";
   if (b.y > a.y) return "right";
   return b.x > a.x ? "bottom" : "top";
 }
+
+namespace {
 
 bool edge_owned(Point a, Point b, const TieRule& ties) {
   return ties.positive(0, a.y.raw() - b.y.raw(), b.x.raw() - a.x.raw());
@@ -156,6 +157,98 @@ Rule triangle_fill_rule() {
         "an edge may go either way. A sample may be drawn if some such move puts it inside or "
         "on an edge, and left out if some such move puts it outside or on an edge. OpenGL "
         "mandates no particular fill rule."}}};
+}
+
+std::optional<SharedEdge> shared_edge(const Triangle& first, const Triangle& second) {
+  if (doubled_area(first) == 0 || doubled_area(second) == 0) return std::nullopt;
+  const Triangle p = counter_clockwise(first);
+  const Triangle q = counter_clockwise(second);
+  // Triangles on opposite sides run along the common edge in opposite directions.
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (p[i] == q[(j + 1) % 3] && p[(i + 1) % 3] == q[j])
+        return SharedEdge{p[i], p[(i + 1) % 3], p[(i + 2) % 3], q[(j + 2) % 3]};
+  return std::nullopt;
+}
+
+bool must_hit_once(const SharedEdge& edge, Point sample, Fixed reach) {
+  // Away from the edge, the rule for single triangles decides.
+  if (robustly_left(edge.a, edge.b, sample, reach)) return false;
+  if (robustly_left(edge.b, edge.a, sample, reach)) return false;
+  return lies_between(edge, sample, reach);
+}
+
+bool lies_between(const SharedEdge& edge, Point sample, Fixed reach) {
+  return robustly_left(edge.b, edge.left, sample, reach) &&
+         robustly_left(edge.left, edge.a, sample, reach) &&
+         robustly_left(edge.a, edge.right, sample, reach) &&
+         robustly_left(edge.right, edge.b, sample, reach);
+}
+
+Rule shared_edge_rule() {
+  return {
+      RuleId::triangle_shared_edge,
+      "A sample on an edge that two triangles share is hit exactly once",
+      "14.6.1 (basic polygon rasterization)",
+      "none: exactly one triangle gets the sample; which of the two is open",
+      "",
+      {},
+      {{5,
+        "Shared edges: two triangles on opposite sides of an edge with bit-identical ends hit a "
+        "sample exactly once, if for every move that ruling 4 allows (the same for "
+        "bit-identical vertices) the sample lies strictly inside the four other edges. Holes "
+        "and double hits there are violations."}}};
+}
+
+namespace {
+
+int sign_of_area(const std::array<HomogeneousPoint, 3>& positions) {
+  return sign(cross(positions[0], positions[1], positions[2]));
+}
+
+}  // namespace
+
+// A primitive without area faces the back in either winding.
+bool is_front_facing(const ScenePrimitive& primitive,
+                     const std::array<HomogeneousPoint, 3>& positions, FacingMethod method) {
+  if (primitive.kind != PrimitiveKind::triangle) return true;
+  const bool is_clockwise_front =
+      primitive.state->front_face == FrontFace::cw && method != FacingMethod::always_ccw;
+  const int area = sign_of_area(positions) * (method == FacingMethod::reversed ? -1 : 1);
+  return is_clockwise_front ? area < 0 : area > 0;
+}
+
+bool is_culled(const ScenePrimitive& primitive, const std::array<HomogeneousPoint, 3>& positions,
+               FacingMethod method) {
+  if (primitive.kind != PrimitiveKind::triangle || method == FacingMethod::not_culled) return false;
+  switch (primitive.state->cull) {
+    case CullMode::none:
+      return false;
+    case CullMode::front:
+      return is_front_facing(primitive, positions, method);
+    case CullMode::back:
+      return !is_front_facing(primitive, positions, method);
+    case CullMode::front_and_back:
+      return true;
+  }
+  return false;
+}
+
+Rule polygon_facing_rule() {
+  return {RuleId::polygon_facing,
+          "A polygon faces the front if its winding in the window is the one that the draw sets",
+          "14.6.1 (basic polygon rasterization)",
+          "that of the vertices' positions (ruling 40)",
+          "as-set",
+          alternatives_of<FacingMethod>(),
+          {{40,
+            "Facing: by the sign of the area that the vertices have in the window, y up, in the "
+            "order of assembly (14.6.1); a polygon of no area faces the back. Where some moves of "
+            "the vertices that ruling 4 allows make the area positive and others make it negative "
+            "or 0, the polygon may face either way: it may be culled or not, and the stencil state "
+            "of either face may hold for it, the same for all of its fragments. Of a clipped "
+            "polygon the area may be that before or after clipping: where the vertices that lie "
+            "behind the eye give the former another sign, it may face either way."}}};
 }
 
 }  // namespace edgecase

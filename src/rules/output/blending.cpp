@@ -9,7 +9,6 @@
 #include "exact/interval.h"
 #include "exact/rational.h"
 #include "model/rendering.h"
-#include "rules/output/blend_formula.h"
 
 namespace edgecase {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 
 namespace edgecase {
 namespace {

@@ -9,7 +9,7 @@
 #include "exact/rational.h"
 #include "model/sampling.h"
 #include "rules/coverage/line_areas.h"
-#include "rules/coverage/snap.h"
+#include "rules/coverage/window.h"
 
 namespace edgecase {
 namespace {

@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
+#include "exact/fixed.h"
 #include "exact/homogeneous.h"
-#include "exact/pixel.h"
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/coverage/segment.h"
 #include "rules/coverage/tie_rule.h"

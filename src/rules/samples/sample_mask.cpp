@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "rules/samples/sample_mask.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
 namespace edgecase {
+
 Unsampled unsampled(PrimitiveKind kind, MultisampleSwitch choice) {
   const bool line = kind == PrimitiveKind::line;
   switch (choice) {
@@ -51,6 +56,85 @@ Rule sample_mask_rule() {
             "The sample mask is exact: a fragment's coverage is what its primitive covers and the "
             "mask, bit by bit, bits beyond the samples count for nothing, and a pixel of which "
             "nothing is left has no fragment. While GL_MULTISAMPLE is disabled it does nothing."}}};
+}
+
+namespace {
+
+// Products of an alpha of single precision with these numbers are exact in double precision.
+bool keeps(double alpha, int sample, int samples, AlphaToCoverage choice) {
+  switch (choice) {
+    case AlphaToCoverage::proportional:
+      return 2 * alpha * samples >= 2 * sample + 1;
+    case AlphaToCoverage::above_quotient:
+    case AlphaToCoverage::above_quotient_of_others:
+      return alpha * samples > sample;
+    case AlphaToCoverage::spread:
+      return alpha * (samples + 1) >= sample + 1;
+    case AlphaToCoverage::ignored:
+      return true;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::uint32_t alpha_mask(double alpha, int samples, AlphaToCoverage choice) {
+  std::uint32_t mask = 0;
+  for (int sample = 0; sample < samples; ++sample)
+    if (keeps(alpha, sample, samples, choice)) mask |= std::uint32_t{1} << sample;
+  return mask;
+}
+
+std::uint32_t mask_by_others(std::span<const double> alphas) {
+  const int samples = static_cast<int>(alphas.size());
+  std::uint32_t mask = mask_of_all(samples);
+  for (int own = 0; own < samples; ++own)
+    mask &= alpha_mask(alphas[static_cast<std::size_t>(own)], samples,
+                       AlphaToCoverage::above_quotient) |
+            std::uint32_t{1} << own;
+  return mask;
+}
+
+std::uint32_t runs_by_others(std::span<const double> alphas) {
+  const int samples = static_cast<int>(alphas.size());
+  std::uint32_t left = mask_of_all(samples);
+  std::uint32_t runs = 0;
+  for (int sample = 0; sample < samples; ++sample) {
+    runs |= left & std::uint32_t{1} << sample;
+    left &= alpha_mask(alphas[static_cast<std::size_t>(sample)], samples,
+                       AlphaToCoverage::above_quotient);
+  }
+  return runs;
+}
+
+SampleCounts alpha_permitted(Interval alpha, int samples) {
+  return {alpha.low >= 1 ? samples : 0, alpha.high <= 0 ? 0 : samples};
+}
+
+bool is_proportional(double alpha, int kept, int samples) {
+  return std::fabs(kept - std::clamp(alpha, 0.0, 1.0) * samples) < 1;
+}
+
+Rule alpha_to_coverage_rule() {
+  return {
+      RuleId::sample_alpha_to_coverage,
+      "Alpha to coverage keeps samples in proportion to alpha",
+      "17.3.1 (alpha to coverage)",
+      "which samples, which may differ from pixel to pixel; none for alpha 0, all for 1 (rulings "
+      "33 and 52)",
+      "proportional",
+      alternatives_of<AlphaToCoverage>(),
+      {{33,
+        "Alpha to coverage: a fragment whose alpha, clamped to 0 to 1, is 0 writes no sample, one "
+        "whose alpha is 1 writes all that it covers, and of others any part of them. Fragments of "
+        "one pixel with the same alpha keep the same samples, and where fragments cover all "
+        "samples, the mean number that they keep does not fall as alpha grows. Where the shader "
+        "runs for each sample, an invocation's alpha counts for its own sample. While "
+        "GL_MULTISAMPLE is disabled it does nothing."},
+       {52,
+        "Where a fragment that covers all n samples keeps a number of them that is one or more "
+        "off alpha n, it is contested: 17.3.1 says that the function must have the properties of "
+        "proportionality of 14.9.3, and 14.9.3 calls them intended."}}};
 }
 
 }  // namespace edgecase

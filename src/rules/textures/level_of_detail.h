@@ -1,5 +1,69 @@
 // SPDX-License-Identifier: MIT
 //
+// The level of detail: how many texels a pixel covers, as a logarithm.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "exact/interval.h"
+#include "model/texture.h"
+#include "rules/rule.h"
+
+namespace edgecase {
+
+// Essay: The logarithm
+//
+// Logarithms: how the level of detail is computed from the scale factor, lambda_base = log2(rho)
+// (GL 4.6 core, 8.14.1).
+//
+// A logarithm is expensive, and a level of detail needs eight bits of it. Renderers therefore
+// approximate it. The exponent of a floating-point number (1 + f) 2^e gives the integer part e. The
+// logarithm of 1 + f remains, and renderers take it from a straight line or a table. The line may
+// also be applied to a power of the number, and its result divided accordingly. That divides the
+// error too:
+//
+//                                     largest error, levels
+//     exact                            0
+//     linear-mantissa                 -0.0861   e + f
+//     linear-mantissa-of-square       -0.0431   half of that of the square: it needs no root
+//     linear-mantissa-of-fourth-power -0.0216   a quarter of that of the fourth power
+//     mantissa-8                      +-0.0029  e + log2(1 + f), f rounded to 1/256, half up
+//
+// All of them are exact at powers of two. The methods that use a power are also exact at the
+// corresponding roots. Renderers compute these formulas in float32.
+
+Rule log2_rule();  // texture.log2
+
+// Ways to compute a logarithm, all of them monotonic.
+enum class Log2Method {
+  exact,
+  linear_mantissa,
+  linear_mantissa_of_square,
+  linear_mantissa_of_fourth_power,
+  mantissa_8,
+};
+template <>
+inline constexpr auto kNames<Log2Method> = std::to_array<TabledAlternative<Log2Method>>(
+    {{Log2Method::exact, "exact", Openness::open, "the logarithm itself"},
+     {Log2Method::linear_mantissa, "linear-mantissa", Openness::illegal,
+      "the exponent plus the mantissa minus 1: up to 0.0861 too small"},
+     {Log2Method::linear_mantissa_of_square, "linear-mantissa-of-square", Openness::open,
+      "half of linear-mantissa of the square: up to 0.0431 too small"},
+     {Log2Method::linear_mantissa_of_fourth_power, "linear-mantissa-of-fourth-power",
+      Openness::open, "a quarter of linear-mantissa of the fourth power: up to 0.0216 too small"},
+     {Log2Method::mantissa_8, "mantissa-8", Openness::open,
+      "the logarithm of the mantissa rounded to 8 bits: up to 0.0029 off"}});
+
+// Bounds of a method's results for the numbers of 0 or more in an interval; minus infinity for 0.
+// Powers of two are exact. A computed logarithm has bounds that are wider than the C library's log2
+// by more than its error (rules/textures/directed.h). If nothing is known of the value, the result
+// is everything.
+Interval log2_of(Interval value, Log2Method method);
+
+// Essay: Level of detail
+//
 // Level of detail: how much a texture shrinks at a fragment (GL 4.6 core, 8.14.1).
 //
 // Two vectors span the footprint of a pixel in the base level. They say how far the point in the
@@ -25,18 +89,6 @@
 // Inputs are intervals, and results are bounds rounded outward. Exact numbers stay exact as long as
 // results are doubles (rules/textures/directed.h). A footprint of 2^k by 0 therefore has the level
 // k. If an input is not a number, the result is the interval of all possible values.
-#pragma once
-
-#include <array>
-#include <span>
-#include <string_view>
-
-#include "exact/interval.h"
-#include "model/texture.h"
-#include "rules/rule.h"
-#include "rules/textures/log2_method.h"
-
-namespace edgecase {
 
 Rule scale_factor_rule();       // texture.scale-factor: its alternatives are ScaleFactor's
 Rule level_derivatives_rule();  // texture.derivatives: alternatives as of derivative.plain

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
-#include "rules/textures/texel_mean.h"
+#include "exact/elementary.h"
 
 namespace edgecase {
 namespace {
@@ -160,6 +163,201 @@ Rule mipmap_srgb_rule() {
           "linear",
           alternatives_of<MipmapSrgb>(),
           {}};
+}
+
+namespace {
+
+bool all_equal(WeightedNumbers numbers) {
+  return std::all_of(numbers.begin(), numbers.end(),
+                     [&](WeightedNumber n) { return n.value == numbers[0].value; });
+}
+
+// Clamped to the codes, whatever a renderer may report of its levels.
+int code_of(float stored) {
+  return stored > 0 ? static_cast<int>(std::min(stored, 255.0F)) : 0;
+}
+
+std::int64_t total_weight(WeightedNumbers numbers) {
+  std::int64_t total = 0;
+  for (const WeightedNumber& number : numbers) total += number.weight;
+  return total;
+}
+
+// A quotient of 0 or more by more than 0.
+std::int64_t rounded_quotient(std::int64_t dividend, std::int64_t divisor,
+                              MipmapRounding rounding) {
+  const std::int64_t below = dividend / divisor;
+  const std::int64_t rest = 2 * (dividend % divisor);
+  switch (rounding) {
+    case MipmapRounding::nearest_even:
+      return below + (rest > divisor || (rest == divisor && below % 2 != 0) ? 1 : 0);
+    case MipmapRounding::half_up:
+    case MipmapRounding::half_up_by_rows:
+      return below + (rest >= divisor ? 1 : 0);
+    case MipmapRounding::down:
+      return below;
+  }
+  return below;
+}
+
+// The share of the second in 256, and the mean of two codes by it, rounded half up.
+int share_of_second(TwoWeights weights) {
+  return static_cast<int>(rounded_quotient(std::int64_t{256} * weights[1], weights[0] + weights[1],
+                                           MipmapRounding::nearest_even));
+}
+
+int between(int first, int second, int share) {
+  return first + (((second - first) * share + 128) >> 8);
+}
+
+// The linear number of half an sRGB code, h/2/255, by rules/textures/texture_image.h. Relative
+// error less than 2^-61: the quotient's and the exponent's, 2.4 half units of 2^-63 each, and one
+// unit of the C library's powl.
+long double linear_of(int half_codes) {
+  constexpr int kLastOfLine = 20;
+  if (half_codes <= kLastOfLine) return 2.5L * static_cast<long double>(half_codes) / 16473;
+  return raised((20 * static_cast<long double>(half_codes) + 561) / 10761, 2.4L);
+}
+
+// The linear numbers of N codes, each a whole one further, starting at half of `half_codes`.
+template <std::size_t N>
+std::array<long double, N> linear_numbers(int half_codes) {
+  std::array<long double, N> numbers;
+  for (std::size_t k = 0; k < N; ++k) numbers[k] = linear_of(2 * static_cast<int>(k) + half_codes);
+  return numbers;
+}
+
+// The code of a linear number: the number of borders between codes that it has reached.
+std::ptrdiff_t srgb_code_of(long double linear, MipmapRounding rounding) {
+  static const auto kWhole = linear_numbers<255>(2);
+  static const auto kHalf = linear_numbers<255>(1);
+  const auto& borders = rounding == MipmapRounding::down ? kWhole : kHalf;
+  return std::upper_bound(borders.begin(), borders.end(), linear) - borders.begin();
+}
+
+// The linear number of a code if it is rational, in units of 1/16473: five times a code on the
+// curve's straight piece, and 255. -1 for other codes.
+std::int64_t rational_linear(int code) {
+  constexpr int kLastOfLine = 10;
+  if (code == 255) return 16473;
+  return code <= kLastOfLine ? 5 * std::int64_t{code} : -1;
+}
+
+// The exact sum of up to ten doubles: parts that do not overlap, the smallest first (Shewchuk,
+// "Adaptive precision floating-point arithmetic", 1997, theorem 10).
+class ExactSum {
+ public:
+  void add(double value) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      const double sum = value + parts_[i];
+      const double part = sum - value;
+      parts_[i] = (value - (sum - part)) + (parts_[i] - part);
+      value = sum;
+    }
+    parts_[count_++] = value;
+  }
+
+  // Accurate to a few units in the last place.
+  double estimate() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < count_; ++i) sum += parts_[i];
+    return sum;
+  }
+
+  // The sign of the largest part, which outweighs the rest.
+  int sign() const {
+    for (std::size_t i = count_; i > 0; --i)
+      if (parts_[i - 1] != 0) return parts_[i - 1] > 0 ? 1 : -1;
+    return 0;
+  }
+
+ private:
+  std::array<double, 10> parts_{};
+  std::size_t count_ = 0;
+};
+
+// An exact quotient that can be compared with numbers of up to 26 bits: their products with the
+// divisor are exact.
+struct ExactQuotient {
+  ExactSum dividend;
+  double divisor;
+
+  // The sign of the quotient less `value`.
+  int compare(double value) const {
+    ExactSum difference = dividend;
+    difference.add(-divisor * value);
+    return difference.sign();
+  }
+};
+
+float next_float(float value, bool up) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  return std::nextafter(value, up ? kInfinity : -kInfinity);
+}
+
+float rounded_float(const ExactQuotient& quotient, MipmapRounding rounding) {
+  // The float32 number nearest to the estimate is the quotient or one of the two beside it.
+  auto below = static_cast<float>(quotient.dividend.estimate() / quotient.divisor);
+  if (quotient.compare(static_cast<double>(below)) < 0) below = next_float(below, false);
+  if (rounding == MipmapRounding::down) return below;
+  const float above = next_float(below, true);
+  const int side = quotient.compare((static_cast<double>(below) + static_cast<double>(above)) / 2);
+  if (side != 0) return side > 0 ? above : below;
+  const bool below_is_even = std::bit_cast<std::uint32_t>(below) % 2 == 0;
+  return rounding == MipmapRounding::nearest_even && below_is_even ? below : above;
+}
+
+}  // namespace
+
+float mean_of_codes(WeightedNumbers numbers, MipmapRounding rounding) {
+  std::int64_t sum = 0;
+  for (const WeightedNumber& number : numbers) sum += number.weight * code_of(number.value);
+  return static_cast<float>(rounded_quotient(sum, total_weight(numbers), rounding));
+}
+
+float mean_of_rows(const std::array<float, 4>& codes, TwoWeights columns, TwoWeights rows) {
+  const auto code = [&](std::size_t i) { return code_of(codes[i]); };
+  const int share = share_of_second(columns);
+  return static_cast<float>(between(between(code(0), code(1), share),
+                                    between(code(2), code(3), share), share_of_second(rows)));
+}
+
+// A mean on a border between two codes is rational, or all codes are equal: apart from 0 to 10 and
+// 255 the linear numbers are fifth roots, and no two of them or of the borders are rational
+// multiples of one another, so no sum of them equals another one. Rational means up to code 10 are
+// rounded in integers. All others lie beside a border; a search found how close a mean of four
+// codes of equal weight comes: 2^-36 of itself. With other weights, a mean closer than 2^-60 would
+// be rounded as its long double is.
+float mean_of_srgb(WeightedNumbers numbers, MipmapRounding rounding) {
+  if (all_equal(numbers)) return static_cast<float>(code_of(numbers[0].value));
+  static const auto kLinear = linear_numbers<256>(0);
+  const std::int64_t total = total_weight(numbers);
+  std::int64_t rational_sum = 0;
+  long double sum = 0;
+  bool is_rational = true;
+  for (const auto& [value, weight] : numbers) {
+    const int code = code_of(value);
+    is_rational = is_rational && rational_linear(code) >= 0;
+    rational_sum += weight * rational_linear(code);
+    sum += static_cast<long double>(weight) * kLinear[static_cast<std::size_t>(code)];
+  }
+  // A mean up to code 10 is on the straight piece, which ends before 10.5.
+  if (is_rational && rational_sum <= 5 * 10 * total)
+    return static_cast<float>(rounded_quotient(rational_sum, 5 * total, rounding));
+  return static_cast<float>(srgb_code_of(sum / static_cast<long double>(total), rounding));
+}
+
+float mean_of_floats(WeightedNumbers numbers, MipmapRounding rounding) {
+  if (all_equal(numbers)) return numbers[0].value;
+  ExactQuotient quotient{{}, static_cast<double>(total_weight(numbers))};
+  double plain_sum = 0;
+  for (const auto& [value, weight] : numbers) {
+    const double product = static_cast<double>(weight) * static_cast<double>(value);
+    quotient.dividend.add(product);
+    plain_sum += product;
+  }
+  if (!std::isfinite(plain_sum)) return static_cast<float>(plain_sum);
+  return rounded_float(quotient, rounding);
 }
 
 }  // namespace edgecase

@@ -8,7 +8,6 @@
 
 #include "rules/values/inexact_interpolation.h"
 #include "rules/values/interpolation.h"
-#include "rules/values/permitted_interpolation.h"
 
 namespace edgecase {
 namespace {

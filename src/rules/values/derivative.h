@@ -23,12 +23,12 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/pixel.h"
+#include "exact/fixed.h"
 #include "model/rendering.h"
 #include "rules/coverage/window.h"
 #include "rules/rule.h"
+#include "rules/values/inexact_interpolation.h"
 #include "rules/values/interpolation.h"
-#include "rules/values/permitted_interpolation.h"
 
 namespace edgecase {
 

@@ -41,4 +41,103 @@ Rule order_rule() {
             "colour of an earlier one there is a violation."}}};
 }
 
+namespace {
+
+double largest_of(DepthFormat format) {
+  return std::ldexp(1.0, bits_of(format)) - 1;
+}
+
+// depth * largest, and how much the rounded product is too small.
+struct Steps {
+  double product;
+  double rest;
+};
+
+Steps steps_of(double depth, double largest) {
+  const double product = depth * largest;
+  return {product, std::fma(depth, largest, -product)};
+}
+
+double below(Steps steps) {
+  const double step = std::floor(steps.product);
+  return step == steps.product && steps.rest < 0 ? step - 1 : step;
+}
+
+double above(Steps steps) {
+  const double step = std::ceil(steps.product);
+  return step == steps.product && steps.rest > 0 ? step + 1 : step;
+}
+
+double nearest(Steps steps) {
+  const bool is_half = steps.product - std::floor(steps.product) == 0.5;
+  if (is_half && steps.rest != 0) return steps.rest > 0 ? above(steps) : below(steps);
+  return std::nearbyint(steps.product);
+}
+
+}  // namespace
+
+int bits_of(DepthFormat format) {
+  switch (format) {
+    case DepthFormat::depth16:
+      return 16;
+    case DepthFormat::depth24:
+      return 24;
+    case DepthFormat::none:
+    case DepthFormat::depth32f:
+      return 0;
+  }
+  return 0;
+}
+
+double to_depth(double depth, DepthFormat format) {
+  if (std::isnan(depth)) return 0;
+  const double clamped = std::clamp(depth, 0.0, 1.0);
+  if (bits_of(format) == 0) return to_float(clamped);
+  const double largest = largest_of(format);
+  return nearest(steps_of(clamped, largest)) / largest;
+}
+
+bool is_depth_of(double stored, DepthFormat format) {
+  return bits_of(format) == 0 ? stored == to_float(stored) : stored == to_depth(stored, format);
+}
+
+Interval depth_permitted(Interval depth, DepthFormat format) {
+  if (bits_of(format) == 0)
+    return {std::min(to_float(depth.low), to_depth(depth.low, format)),
+            std::max(to_float(depth.high), to_depth(depth.high, format))};
+  const double low = std::clamp(depth.low, 0.0, 1.0);
+  const double high = std::clamp(depth.high, 0.0, 1.0);
+  const double largest = largest_of(format);
+  return {below(steps_of(low, largest)) / largest, above(steps_of(high, largest)) / largest};
+}
+
+bool is_within_one_code(double stored, Interval permitted, DepthFormat format) {
+  if (bits_of(format) == 0 || !is_depth_of(stored, format)) return false;
+  const double largest = largest_of(format);
+  const double code = std::nearbyint(stored * largest);
+  return code >= std::nearbyint(permitted.low * largest) - 1 &&
+         code <= std::nearbyint(permitted.high * largest) + 1;
+}
+
+Rule depth_buffer_rule() {
+  return {
+      RuleId::framebuffer_depth,
+      "A depth is stored as the nearest value of the depth buffer's format",
+      "2.3.5.2 (conversion from floating-point to normalized fixed-point)",
+      "either of the two nearest integers, of which the nearest is preferred; for float32, a depth "
+      "without polygon offset may be clamped or not",
+      "",
+      {},
+      {{18,
+        "Depth buffers of 16 and 24 bits: either integer next to 2^bits - 1 times the depth of "
+        "the last fragment, as the renderer itself reports it, or of any depth that ruling 9 "
+        "permits if it reports none. Of 32 float bits: that depth. Depths are clamped to 0 to 1 "
+        "first, also where the buffer is of floats (14.6.5, 15.2.3); a float32 depth beyond 0 to "
+        "1 to which no polygon offset was added may be kept. A pixel without fragments holds the "
+        "clear value."},
+       {59,
+        "A stored depth of 16 or 24 bits is none of the integers that lie one beyond those of "
+        "ruling 18."}}};
+}
+
 }  // namespace edgecase

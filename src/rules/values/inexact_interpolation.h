@@ -5,7 +5,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "exact/interval.h"
 #include "rules/values/interpolation.h"
@@ -36,8 +38,6 @@ using Shares = std::array<Interval, 3>;
 // Twice the area of a triangle, above 0 if a, b and p lie counter-clockwise.
 Interval area_of(const Inexact& op, const WindowPlace& a, const WindowPlace& b,
                  const WindowPlace& p);
-Shares triangle_shares(const WindowPlaces& v, const WindowPlace& p);
-Shares line_shares(const Interpolant& f, const WindowPlaces& v, const WindowPlace& p);
 
 // The shares, each divided by its w, and their sum.
 struct SharesOverW {
@@ -51,16 +51,6 @@ SharesOverW divided_by_w(const Interpolant& f, const Shares& shares);
 Interval inexact_mean(const Interpolant& f, const Shares& shares);
 // The same for an attribute with perspective.
 Interval inexact_mean(const Interpolant& f, const SharesOverW& over_w);
-
-// A point has the attributes of its vertex, whatever their qualifier (14.4); a value that is
-// divided by w and multiplied again on the way may err twice.
-Interval point_value(const Interpolant& f);
-
-// The change of an attribute along an axis. For a triangle, `value` is the attribute's, used only
-// with perspective, and `total` is the divisor of its mean.
-Interval line_slope(const Interpolant& f, const WindowPlaces& v, const WindowPlace& p, Axis axis);
-Interval triangle_slope(const Interpolant& f, const WindowPlaces& v, Axis axis, Interval value,
-                        Interval total);
 
 // The results of interpolate_inexact for several attributes of one primitive at one sample. The
 // part that the attributes share is computed once.
@@ -76,6 +66,112 @@ class InexactPlace {
   // Computed on demand.
   mutable std::optional<Shares> shares_;
   mutable std::optional<SharesOverW> over_w_;
+};
+
+// The permitted half of rules/values/interpolation.h: the possible values of a primitive's
+// attributes if each vertex may have moved.
+//
+// For a triangle, the numerator and denominator of a mean are linear in each coordinate of a
+// vertex, so the quotient is monotonic in each while the denominator keeps its sign: its extremes
+// are where every coordinate has moved as far as it may, at one of 64 corners. MovedVertices
+// computes once the part that a primitive's samples share; MovedShares, the part that its
+// attributes share at a sample.
+
+// The vertices of one primitive, and the corners if it is a triangle.
+class MovedVertices {
+ public:
+  // `primitive`: one of its attributes, for its positions. reach: each vertex may have moved by
+  // less than this many pixels in x and in y.
+  MovedVertices(const Interpolant& primitive, double reach);
+
+  // The possible positions of each vertex.
+  const WindowPlaces& grown() const { return grown_; }
+
+ private:
+  friend class MovedShares;
+
+  static constexpr std::size_t kCorners = 64;
+  // One vertex: bits 0 and 1 of the index tell whether x and y have grown. A corner's index has
+  // those of the first vertex lowest.
+  using Moved = std::array<WindowPlace, 4>;
+  static std::size_t move_of(std::size_t corner, std::size_t vertex) {
+    return corner >> 2 * vertex & 3;
+  }
+
+  void move_triangle(double reach);
+
+  WindowPlaces unmoved_;
+  WindowPlaces grown_;
+  std::array<Moved, 3> moved_;
+  Interval area_;                         // in inexact arithmetic, of the whole triangle
+  std::array<Interval, kCorners> areas_;  // the same by corner
+  bool is_steady_ = true;                 // all areas have one sign, exactly
+  bool is_above_zero_ = false;            // the sign, if they have one
+};
+
+// The shares of a triangle's vertices at one sample, by corner.
+//
+// An area with a sample depends on two vertices alone, so there are 16 of each. Areas belong to the
+// corner and the sample, not to the attribute, and so do shares over w, since all attributes have
+// one w. They are computed once.
+class MovedShares {
+ public:
+  // `vertices` must outlive this.
+  MovedShares(const MovedVertices& vertices, Point sample);
+
+  // interpolate_permitted for an attribute of that triangle. All attributes with perspective must
+  // have the same w.
+  Interval mean(const Interpolant& f) const;
+
+  // The divisor of the mean, made of areas: the triangle's own or, with perspective, the sum of
+  // those with the sample, each over its w. Everything if it may be 0.
+  Interval total(const Interpolant& f) const;
+
+ private:
+  // By the vertex opposite to an area's edge, and the moves of the next vertex and of the one
+  // after.
+  using Areas = std::array<std::array<Interval, 16>, 3>;
+
+  static std::size_t edge_of(std::size_t corner, std::size_t opposite);
+  Areas areas(const Inexact& op) const;
+  bool is_steady(const Interpolant& f) const;
+  bool total_keeps_sign(const Interpolant& f) const;
+  const std::vector<SharesOverW>& over_w(const Interpolant& f) const;
+  Interval plain_total() const;
+  Interval total_over_w(const Interpolant& f) const;
+
+  const MovedVertices& vertices_;
+  WindowPlace sample_;
+  Areas areas_;
+  Shares unmoved_;
+  std::array<Shares, MovedVertices::kCorners> shares_;
+  // For the one w, computed on demand.
+  mutable std::optional<bool> total_keeps_sign_;
+  mutable std::vector<SharesOverW> over_w_;  // of the unmoved vertices, and by corner
+  mutable std::optional<Interval> total_over_w_;
+};
+
+// The results of interpolate_permitted and differentiate_permitted for several attributes of one
+// primitive at one sample. The part that the attributes share is computed once.
+class PermittedPlace {
+ public:
+  // `vertices`, those of the attributes' primitive, must outlive this.
+  PermittedPlace(const MovedVertices& vertices, Point sample)
+      : vertices_(vertices), sample_(sample) {}
+
+  // Attributes with perspective have the same w.
+  Interval value(const Interpolant& f) const;
+  Interval slope(const Interpolant& f, Axis axis) const;
+  // Along x and along y; `value`: the result of value(f).
+  std::array<Interval, 2> slopes(const Interpolant& f, Interval value) const;
+
+ private:
+  Interval slope(const Interpolant& f, Axis axis, Interval value) const;
+  const MovedShares& shares() const;
+
+  const MovedVertices& vertices_;
+  Point sample_;
+  mutable std::optional<MovedShares> shares_;  // for a triangle, computed on demand
 };
 
 }  // namespace edgecase

@@ -61,12 +61,6 @@ Weights line_weights(const Interpolant& f) {
           Coefficients{}};
 }
 
-bool has_extent(const Interpolant& f) {
-  if (f.kind == PrimitiveKind::triangle)
-    return cross(f.positions[0], f.positions[1], f.positions[2]) != 0;
-  return !same_point(f.positions[0], f.positions[1]);
-}
-
 // Six coefficients, scaled to integers without a common factor.
 SixIntegers reduced(const std::array<Rational, 6>& given) {
   Integer multiple = 1;

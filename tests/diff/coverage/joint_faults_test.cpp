@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "raster/rasterizer.h"
-#include "rules/coverage/snap.h"
+#include "rules/coverage/window.h"
 #include "tests/diff/coverage/fragment_changes.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/support/points.h"

@@ -10,8 +10,8 @@
 #include <tuple>
 
 #include "raster/rasterizer.h"
-#include "rules/coverage/shared_edge.h"
 #include "rules/coverage/triangle_algorithm.h"
+#include "rules/coverage/triangle_fill.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/support/judging.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "raster/rasterizer.h"
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 #include "tests/diff/output/output_judging.h"
 #include "tests/raster/operation_scenes.h"
 #include "tests/support/causes.h"

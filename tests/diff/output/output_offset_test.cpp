@@ -8,7 +8,7 @@
 
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 #include "tests/diff/output/output_judging.h"
 #include "tests/raster/operation_scenes.h"
 #include "tests/support/causes.h"

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "casefile/loader.h"
-#include "casefile/suite.h"
 #include "diff/drawing_compare.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"

@@ -15,7 +15,7 @@
 #include "diff/judge.h"
 #include "raster/attributes.h"
 #include "raster/rasterizer.h"
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 #include "tests/diff/values/value_mutants.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/support/judging.h"

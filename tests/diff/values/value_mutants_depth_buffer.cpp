@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 #include "tests/diff/values/value_mutants.h"
 
 namespace edgecase {

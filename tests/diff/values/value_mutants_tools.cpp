@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "raster/attributes.h"
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 #include "tests/diff/values/value_mutants.h"
 
 namespace edgecase {

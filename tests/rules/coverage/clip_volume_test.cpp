@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <random>
 
-#include "rules/coverage/clip_polygon.h"
 #include "rules/coverage/triangle_fill.h"
-#include "rules/values/clipped_interpolation.h"
 #include "rules/values/interpolation.h"
 #include "tests/oracles/clip_space.h"
 #include "tests/support/share.h"

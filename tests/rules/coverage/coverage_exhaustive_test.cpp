@@ -6,9 +6,8 @@
 
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/point_ownership.h"
-#include "rules/coverage/shared_edge.h"
-#include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_fill.h"
+#include "rules/coverage/window.h"
 #include "tests/oracles/oracles.h"
 #include "tests/support/share.h"
 

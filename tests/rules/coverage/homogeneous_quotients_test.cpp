@@ -9,8 +9,8 @@
 
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/coverage/point_ownership.h"
-#include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_algorithm.h"
+#include "rules/coverage/window.h"
 #include "tests/oracles/quotients.h"
 #include "tests/support/share.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rules/coverage/snap.h"
+#include "rules/coverage/window.h"
 #include "tests/support/points.h"
 
 namespace edgecase {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rules/coverage/polygon_facing.h"
+#include "rules/coverage/triangle_fill.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Which two triangles share an edge, and where a hit is promised to be exactly one.
-#include "rules/coverage/shared_edge.h"
+#include "rules/coverage/triangle_fill.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "rules/coverage/snap.h"
+#include "rules/coverage/window.h"
 #include "tests/support/points.h"
 
 namespace edgecase {

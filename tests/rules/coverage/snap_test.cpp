@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "rules/coverage/snap.h"
+#include "rules/coverage/window.h"
 
 namespace edgecase {
 namespace {

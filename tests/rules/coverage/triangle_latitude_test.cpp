@@ -6,8 +6,8 @@
 
 #include <random>
 
-#include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_fill.h"
+#include "rules/coverage/window.h"
 #include "tests/support/points.h"
 
 namespace edgecase {

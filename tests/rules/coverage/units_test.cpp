@@ -5,7 +5,6 @@
 
 #include "rules/all_rules.h"
 #include "rules/coverage/point_ownership.h"
-#include "rules/coverage/snap.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
 #include "rules/coverage/window.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rules/output/depth_test.h"
+#include "rules/output/fragment_tests.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 
 namespace edgecase {
 namespace {

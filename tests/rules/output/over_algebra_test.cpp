@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/rational.h"
-#include "rules/output/blend_formula.h"
+#include "rules/output/blending.h"
 #include "tests/rules/output/blend_presets.h"
 #include "tests/rules/values/interpolants.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "exact/rational.h"
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 #include "tests/oracles/attribute_planes.h"
 #include "tests/rules/values/interpolants.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rules/output/stencil_test.h"
+#include "rules/output/fragment_tests.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 //
 // supersample.accumulation: what each alternative makes of known numbers, and ruling 36 against
 // float32 sums in every rounding mode.
-#include "rules/samples/accumulation.h"
+#include "rules/samples/resolve.h"
 
 #include <gtest/gtest.h>
 

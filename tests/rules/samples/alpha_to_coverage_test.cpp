@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rules/samples/alpha_to_coverage.h"
+#include "rules/samples/sample_mask.h"
 
 #include <gtest/gtest.h>
 

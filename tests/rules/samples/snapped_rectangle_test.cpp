@@ -13,7 +13,7 @@
 #include "exact/fixed.h"
 #include "model/sampling.h"
 #include "rules/coverage/line_areas.h"
-#include "rules/coverage/snap.h"
+#include "rules/coverage/window.h"
 #include "tests/support/points.h"
 
 namespace edgecase {

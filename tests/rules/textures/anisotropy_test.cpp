@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rules/textures/anisotropy.h"
+#include "rules/textures/level_selection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Logarithms, against one that is made digit by digit from squares alone.
-#include "rules/textures/log2_method.h"
+#include "rules/textures/level_of_detail.h"
 
 #include <gtest/gtest.h>
 

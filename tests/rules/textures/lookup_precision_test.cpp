@@ -2,7 +2,7 @@
 //
 // How many operations a lookup takes, counted by hand: errors of texture colours are multiples of
 // it.
-#include "rules/textures/precision.h"
+#include "rules/textures/texel_filter.h"
 
 #include <gtest/gtest.h>
 

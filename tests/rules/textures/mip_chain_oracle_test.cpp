@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "rules/textures/mip_chain.h"
-#include "rules/textures/texel_mean.h"
 #include "tests/rules/textures/texels.h"
 #include "tests/support/causes.h"
 #include "tests/support/share.h"

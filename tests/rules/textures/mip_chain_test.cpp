@@ -7,7 +7,6 @@
 
 #include <limits>
 
-#include "rules/textures/texel_mean.h"
 #include "tests/rules/textures/texels.h"
 #include "tests/support/causes.h"
 

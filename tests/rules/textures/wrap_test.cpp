@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Wrap modes, held against the formulas of table 8.20 as OpenGL writes them.
-#include "rules/textures/wrap.h"
+#include "rules/textures/texture_image.h"
 
 #include <gtest/gtest.h>
 

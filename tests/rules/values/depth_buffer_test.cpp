@@ -2,7 +2,7 @@
 //
 // Conversion to a depth buffer's format: every step of 16 bits and a share of those of 24, at the
 // step, halfway to the next and beside both.
-#include "rules/values/depth_buffer.h"
+#include "rules/values/framebuffer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rules/values/smooth_attribute.h"
+#include "rules/values/attributes.h"
 
 #include <gtest/gtest.h>
 

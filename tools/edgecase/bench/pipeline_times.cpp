@@ -40,7 +40,7 @@ RunOptions options_for(const std::string& renderer, int jobs) {
   return options;
 }
 
-// What `run --json` does with cases that are read, but for writing to a disk.
+// `run --json` with loaded cases, without writing to a disk.
 double run_once(const Suite& suite, const std::string& renderer, int jobs) {
   const auto start = Clock::now();
   const Results results = run_suite(suite, options_for(renderer, jobs));
@@ -49,8 +49,8 @@ double run_once(const Suite& suite, const std::string& renderer, int jobs) {
   return seconds_since(start);
 }
 
-// While it lives, this thread and all that it starts, processes too, run on one processor: where
-// the system allows it.
+// While an object lives, this thread and the threads and processes that it starts run on one
+// processor, if the system allows it.
 class OneCore {
  public:
   OneCore() {
@@ -75,14 +75,14 @@ class OneCore {
   bool is_set_ = false;
 };
 
-// Nothing where one core cannot be had.
+// Nothing if the run cannot be bound to one core.
 std::optional<double> run_once_on_one_core(const Suite& suite, const std::string& renderer) {
   const OneCore one;
   if (!one.is_set()) return std::nullopt;
   return run_once(suite, renderer, 1);
 }
 
-// Scenes about coverage, of which only violations would be made smaller.
+// Scenes about coverage, of which only violations would be minimized.
 double fuzz_once(const std::string& renderer, std::size_t count) {
   FuzzOptions options;
   for (const Family& family : all_families())
@@ -137,7 +137,7 @@ PipelineRates time_pipeline(const BenchPlan& plan, const Suite& suite,
   return rates;
 }
 
-// All but asking the renderer, case by case.
+// Times all stages except the renderer's own, case by case.
 class StageTimer {
  public:
   StageTimer(const Suite& suite, const std::string& renderer)
@@ -205,7 +205,7 @@ DiffRates time_diff(const BenchPlan& plan) {
   const std::vector<std::uint8_t> picture(kBytes, 1);
   const std::vector<std::uint8_t> same(kBytes, 1);
   const std::vector<std::uint8_t> other(kBytes, 2);
-  // What is counted is kept, so that nothing is left out as unused.
+  // The sum is used, so that the compiler does not remove the work.
   volatile std::size_t kept = 0;
   const auto rate = [&](auto compare) {
     return static_cast<double>(kBytes) / time_of(plan.seconds, [&] { kept = compare(); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The measurements of `edgecase bench`, each of which takes turns with what it is held against.
+// The measurements of `edgecase bench`; each alternates with the one that it is compared with.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ struct BenchPlan {
 std::vector<SceneTimes> time_scenes(const BenchPlan& plan);
 std::vector<PipelineRates> time_pipelines(const BenchPlan& plan);
 DiffRates time_diff(const BenchPlan& plan);
-// Of each renderer, over these cases; `load_seconds`: what it took to load them.
+// For each renderer, over these cases. `load_seconds`: the time to load them.
 std::vector<StageTimes> time_stages(const BenchPlan& plan, const Suite& suite, double load_seconds);
 
 }  // namespace edgecase

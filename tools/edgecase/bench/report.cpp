@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/counted.h"
+#include "model/text.h"
 #include "tools/edgecase/options.h"
 
 namespace edgecase {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What `edgecase bench` measured, as a table and as JSON. Every figure that matters is a ratio of
-// things that were timed side by side; rates are for orientation.
+// The measurements of `edgecase bench`, as a table and as JSON. The relevant figures are ratios of
+// times measured side by side; rates are for orientation.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace edgecase {
 // One renderer's times for a scene, a frame each, round by round.
 struct RendererTimes {
   std::string renderer;
-  std::string problem;  // why it was not timed; empty: it was
+  std::string problem;  // why it was not timed; otherwise empty
   std::vector<double> seconds;
   std::size_t same_pixels = 0;  // of its picture and ours
 };
@@ -35,7 +35,7 @@ struct PipelineRates {
   std::string problem;
   std::size_t cases = 0;
   std::vector<double> worker;  // the worker alone draws, counts, captures and reads back
-  // All that `run` does with a case, from the scene to the results; first with one job on one core.
+  // The whole of `run`, from the scene to the results; first with one job on one core.
   std::vector<double> one_core;
   std::vector<double> one_job;
   std::vector<double> two_jobs;
@@ -46,10 +46,10 @@ struct PipelineRates {
 struct DiffRates {
   std::vector<double> memcmp;     // of identical pictures
   std::vector<double> identical;  // by the comparison of pictures
-  std::vector<double> different;  // the same where every pixel differs
+  std::vector<double> different;  // the same with every pixel different
 };
 
-// Where the time of cases goes.
+// The time of cases by stage.
 struct StageTimes {
   std::string renderer;
   std::size_t cases = 0;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes: our pixels and each renderer's, frame against frame.
+// Times of scenes: exact and each renderer, frame by frame.
 #include <memory>
 #include <utility>
 #include <variant>
 
 #include "diff/compare.h"
-#include "raster/exact_renderer.h"
 #include "raster/rasterizer.h"
 #include "tools/edgecase/bench/rates.h"
 #include "tools/edgecase/bench/scenes.h"
@@ -63,7 +62,7 @@ class ExactSide {
   Rendering rendering_;
 };
 
-// One frame on average; and what it shows.
+// The average time of a frame, and its pixels.
 BenchAnswer ask(Rival& rival, const BenchScene& scene, double seconds) {
   if (rival.worker == nullptr) return {rival.problem, 0, 0, {}};
   const BenchTask task = is_captured(scene)        ? BenchTask::render

@@ -28,7 +28,7 @@ class SceneMaker {
     scene_.viewport = {0, 0, side, side};
   }
 
-  // The lower rows of the target, all of it where nothing else is said.
+  // Fills the lower rows of the target; by default all of it.
   Scene fill(Interpolation interpolation, double share = 1) {
     Draw& draw = add(Primitive::triangle_strip, interpolation);
     const double end = side_, top = share * side_;
@@ -37,8 +37,8 @@ class SceneMaker {
     return scene_;
   }
 
-  // The same with a texture; each texel is about three pixels wide at the left, and of two levels
-  // at the right.
+  // The same with a texture: about three pixels per texel at the left, a mean of two levels at the
+  // right.
   Scene textured(std::shared_ptr<const Texture> texture) {
     fill(Interpolation::smooth);
     Draw& draw = scene_.draws.back();
@@ -117,7 +117,7 @@ class SceneMaker {
   Scene scene_;
 };
 
-// A whole chain of noise.
+// A texture of noise with all levels.
 std::shared_ptr<const Texture> noise() {
   constexpr int kSize = 256;
   RandomSource random(kSeed, 99, 0);
@@ -138,7 +138,7 @@ BenchScene layers_of_fill(int side) {
   return scene;
 }
 
-// As many as make a frame long enough to time, and few enough to draw several.
+// A number of items that makes a frame long enough to time, and short enough to draw several.
 int count_for(int side, double share) {
   return std::max(16, static_cast<int>(share * side * side));
 }
@@ -182,7 +182,7 @@ std::vector<BenchScene> bench_scenes(int side) {
   add("triangles of 10 px, 4 samples", SceneMaker(side, 26, 4).triangles(small, 10), "triangles",
       small);
   add("smooth colour fill", SceneMaker(side, 27).fill(Interpolation::smooth), "pixels", area);
-  // Of 1024 x 1024 pixels, as many as drivers have room for in a storage buffer of 128 MiB.
+  // The share of 1024 x 1024 pixels whose fragments fit into a storage buffer of 128 MiB.
   constexpr double kCaptured = 7.0 / 8;
   Scene detailed = SceneMaker(side, 27).fill(Interpolation::smooth, kCaptured);
   detailed.details.derivatives = true;
@@ -205,7 +205,7 @@ std::vector<Case> bench_cases(std::size_t count) {
     const std::size_t columns = std::clamp<std::size_t>((count - cases.size()) / kSteps, 1, kMost);
     LoadedCases loaded = load_cases_text(fmt::format(kCaseFile, columns - 1), "bench.json",
                                          fmt::format("bench/{:03}", file));
-    // Of a text of our own: there is nothing to refuse.
+    // The text is our own, so it always loads.
     if (loaded.cases.empty()) break;
     std::move(loaded.cases.begin(), loaded.cases.end(), std::back_inserter(cases));
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Times of several rounds, and ratios of them. Rounds are interleaved: within one, everything that
-// is held against each other is timed in turn, so that a machine that slows down slows all of it.
+// Times of several rounds, and ratios of them. Rounds are interleaved: each times everything that
+// is compared, in turn, so that a machine that slows down affects all of it.
 #pragma once
 
 #include <chrono>
@@ -16,13 +16,13 @@ struct Spread {
   double high = 0;
 };
 
-// Of numbers in any order; zeros of none.
+// The spread of numbers in any order; zeros if there are none.
 Spread spread_of(std::vector<double> numbers);
 
-// Quotients round by round: how much faster the second is, where the numbers are times.
+// Quotients round by round: for times, how much faster the second is.
 Spread ratio_of(const std::vector<double>& numerators, const std::vector<double>& denominators);
 
-// What one call takes on average, in seconds: called until `seconds` have passed, once at least.
+// The average duration of a call in seconds. Calls until `seconds` have passed, at least once.
 template <class Call>
 double time_of(double seconds, Call call) {
   using Clock = std::chrono::steady_clock;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// BenchWorker: a worker of an OpenGL renderer that tells how long it takes with scenes. The same
-// program, context and environment as in any run.
+// BenchWorker: a worker of an OpenGL renderer that reports how long it takes to draw scenes, with
+// the same program, context and environment as in a run.
 #pragma once
 
 #include <memory>
@@ -15,11 +15,11 @@ namespace edgecase {
 
 class BenchWorker {
  public:
-  // `renderer`: as the command line names it, one that lives in our worker. Starts it, or says why
-  // not.
+  // `renderer`: one of our workers', as the command line names it. Starts it, or returns the reason
+  // for failing.
   static std::variant<std::unique_ptr<BenchWorker>, std::string> start(const std::string& renderer);
 
-  // What it answers; a problem where it does not within ten minutes.
+  // The worker's answer, or a problem if there is none within ten minutes.
   BenchAnswer ask(const BenchRequest& request);
 
  private:

@@ -94,13 +94,13 @@ struct BackendsCommand {
 
 using Examinations = std::vector<std::pair<std::string, ProtocolExamination>>;
 
-// Whatever speaks the protocol and is none of ours.
+// True for programs of users, which speak the protocol.
 bool is_program(const ProcessSpec& spec) {
   return spec.name.starts_with("exec:");
 }
 
-// The protocol of each program, told as it is found out unless standard output is for JSON. Ends
-// early when interrupted.
+// Examines the protocol of each program, and prints each examination when it is done unless
+// standard output is for JSON. Ends early if interrupted.
 Examinations examine(const std::vector<ProcessSpec>& specs, const BackendsCommand& command) {
   const std::chrono::milliseconds patience(static_cast<std::int64_t>(1000 * command.timeout));
   Examinations all;
@@ -114,8 +114,8 @@ Examinations examine(const std::vector<ProcessSpec>& specs, const BackendsComman
   return all;
 }
 
-// Of programs: 4 where one does not start, 1 where a check fails. One that was asked nothing before
-// the command was interrupted has done neither.
+// The exit code of examinations: 4 if a program does not start, 1 if a check fails. A program that
+// was not asked before an interruption has done neither.
 ExitCode examined_exit_code(const Examinations& examinations) {
   ExitCode code = ExitCode::as_expected;
   for (const auto& [name, examination] : examinations) {
@@ -125,15 +125,15 @@ ExitCode examined_exit_code(const Examinations& examinations) {
   return code;
 }
 
-// Has the examination shown that the program answers nothing? Probing it would only take longer.
+// True if the examination has shown that the program answers nothing, so that it is not probed.
 bool is_dead(const std::string& name, const Examinations& examinations) {
   return std::any_of(examinations.begin(), examinations.end(), [&](const auto& examined) {
     return examined.first == name && !examined.second.started;
   });
 }
 
-// Probes all but dead programs and prints the table. 4 where one of ours that was named, or all of
-// those that are there by default, draw nothing.
+// Probes all except dead programs and prints the table. Returns 4 if a named renderer of ours, or
+// all default ones, draw nothing.
 ExitCode print_probes(std::vector<ProcessSpec>& specs, const Examinations& examinations,
                       bool all_must_work) {
   std::vector<Row> rows = {{"renderer", "device", "version", "bits claimed / measured", "capture",
@@ -157,8 +157,8 @@ ExitCode print_probes(std::vector<ProcessSpec>& specs, const Examinations& exami
   return enough ? ExitCode::as_expected : ExitCode::renderer;
 }
 
-// All drivers by name, of OpenGL and of OpenGL ES, and every device that EGL lists; the first one
-// even where it lists none, for the reason.
+// All drivers by name, of OpenGL and of OpenGL ES, and every device that EGL lists. The first
+// device is included even if EGL lists none, so that the reason is shown.
 std::vector<std::string> default_names() {
   std::vector<std::string> names = opengl_renderer_names();
   const auto& es = opengl_es_renderer_names();
@@ -192,7 +192,7 @@ ExitCode run_backends(const BackendsCommand& command) {
   }
   if (command.json != "-" && !interrupted()) {
     const ExitCode probed = print_probes(specs, examinations, !command.names.empty());
-    // A renderer that was stopped has not failed.
+    // An interrupted renderer has not failed.
     if (!interrupted()) return worse(code, probed);
   }
   if (!interrupted()) return code;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase bench: how fast exact is beside real renderers, and where the time of a run goes.
+// edgecase bench: the speed of exact relative to real renderers, and the time of a run by stage.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct BenchCommand {
   std::string json;
 };
 
-// The cases that are named, or else the sweep's.
+// The named cases, or else those of the generated sweep.
 Suite suite_of(const BenchCommand& command) {
   Suite suite;
   if (!command.selection.paths.empty()) return load_suite(command.selection.selection());

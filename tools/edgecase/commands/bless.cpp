@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase bless: from results, and from decisions on them, to known faults. Shows what would
-// change; --apply changes it.
+// edgecase bless: updates known faults from results and from decisions on them. Shows the changes;
+// --apply writes them.
 #include <fmt/format.h>
 #include <fnmatch.h>
 
@@ -10,8 +10,8 @@
 #include <map>
 #include <memory>
 
-#include "model/counted.h"
 #include "model/renderer.h"
+#include "model/text.h"
 #include "reports/text.h"
 #include "results/decisions.h"
 #include "results/standing.h"
@@ -24,7 +24,8 @@
 namespace edgecase {
 namespace {
 
-// Beside the cases here. What is installed is not written to: without cases here, `known` here.
+// The folder beside the cases of the working folder. Installed files are not written to: without
+// such cases, `known` in the working folder.
 std::string default_folder() {
   const std::filesystem::path suite = default_suite();
   return suite == installed_suite() ? kKnownFolder : (suite / kKnownFolder).string();
@@ -43,7 +44,7 @@ struct BlessCommand {
   bool apply = false;
 };
 
-// The file of one driver, as it is and as it is going to be.
+// The file of one driver, before and after the changes.
 struct DriverFile {
   KnownFaults known;
   std::size_t changes = 0;
@@ -55,13 +56,12 @@ bool selected(const std::vector<std::string>& globs, const std::string& name) {
          });
 }
 
-// Results and decisions are files that others may have written: what they hold is printed as
-// one_line() shows it.
+// Results and decisions may come from others, so their texts are printed by one_line().
 std::string decision_words(const Decision& decision) {
   return one_line(fmt::format("{} {}", decision.id, decision.renderer));
 }
 
-// The entry as the file has it, each line with a sign before it.
+// The entry as in the file, each line with a sign before it.
 std::string entry_lines(char sign, const KnownFault& fault) {
   std::string text = known_faults_text({"", {fault}});
   const std::size_t begin = text.find("    {");
@@ -80,7 +80,7 @@ std::string lines_of(const FaultChange& change) {
          (change.after ? entry_lines('+', *change.after) : "");
 }
 
-// All that one call of the command changes.
+// All changes of one call of the command.
 class Blessing {
  public:
   Blessing(const BlessCommand& command, Results& results) : command_(command), results_(results) {}
@@ -144,7 +144,7 @@ class Blessing {
     return exit;
   }
 
-  // Writes the files where that is asked for, and then tells what changed.
+  // Writes the files if --apply is given, then prints the changes.
   ExitCode finish() {
     ExitCode exit = ExitCode::as_expected;
     for (const auto& [driver, file] : files_) {
@@ -168,8 +168,8 @@ class Blessing {
     return files_.at(driver_of(results_.renderers[renderer]));
   }
 
-  // How results stand to the files as they are by now: what one renderer added holds for another of
-  // the same driver.
+  // Applies the present known faults to the results: a fault added for one renderer holds for
+  // others of the same driver.
   void apply_current() {
     std::vector<KnownFaults> known;
     for (const auto& [driver, file] : files_) known.push_back(file.known);
@@ -183,7 +183,7 @@ class Blessing {
     file.changes += changes.size();
   }
 
-  // Flakes are left as they are; whoever blesses should know.
+  // Mentions flakes, which stay unexpected.
   void add_flakes(std::size_t renderer) {
     for (const CaseResults& one : results_.cases)
       if (one.results[renderer].again && selected(command_.filters, one.id))

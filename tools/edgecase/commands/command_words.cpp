@@ -25,7 +25,7 @@ std::vector<std::string> rule_ids() {
   return ids;
 }
 
-// What stands between two brackets of a description that a validator gives: "TEXT:{auto,never}".
+// The text between two brackets of a validator's description: "TEXT:{auto,never}".
 std::string bracketed(const std::string& text, char open, char close) {
   const auto begin = text.find(open);
   const auto end = text.find(close, begin);
@@ -33,7 +33,7 @@ std::string bracketed(const std::string& text, char open, char close) {
   return text.substr(begin + 1, end - begin - 1);
 }
 
-// The values of a list that the parser holds, or of one that the program knows.
+// The values of a list in the parser, or of one that the program knows.
 std::vector<std::string> choices_of(const CLI::App& app, const CLI::Option& option,
                                     const std::string& name) {
   std::vector<std::string> choices;

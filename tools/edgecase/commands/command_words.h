@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The words of the command line: subcommands, their options and the values that these take, read
-// from the parser itself, so that the manual page and the completions cannot drift from it.
+// A description of the command line: subcommands, their options and values, read from the parser
+// itself, so that the manual page and the completions always agree with it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,15 +11,15 @@
 namespace edgecase {
 
 struct OptionWords {
-  std::vector<std::string> names;  // "--output", "-o"; of a positional argument, its one name
+  std::vector<std::string> names;  // "--output", "-o"; of a positional argument: one name
   std::string description;
   bool takes_value = false;
   bool is_positional = false;
   bool is_required = false;
   bool is_repeatable = false;
-  std::string default_value;         // empty: none that could be told
+  std::string default_value;         // empty: none
   std::string range;                 // "[1 - 256]", or empty
-  std::vector<std::string> choices;  // all that it takes, or suggestions; empty: no list
+  std::vector<std::string> choices;  // all accepted values, or suggestions; empty: no list
 };
 
 struct CommandWords {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase compare: what became of each case from one results file to another.
+// edgecase compare: the change of each case between two results files.
 #include <fmt/format.h>
 
 #include <memory>
@@ -40,7 +40,7 @@ ExitCode compare(const CompareCommand& command) {
     return ExitCode::usage;
   }
   const auto& comparison = std::get<Comparison>(compared);
-  // What nobody sends elsewhere is printed, unless JSON is.
+  // Without --markdown the comparison is printed, unless JSON goes to standard output.
   const bool print = command.markdown.empty() && command.json != "-";
   const bool wrote_json = deliver(command.json, comparison_json(comparison));
   const bool wrote_markdown =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase draw: one case as text or as an SVG picture, under every alternative of a rule, or as
-// exact and a renderer draw it.
+// edgecase draw: one case as text or SVG, under every alternative of a rule, or as exact and a
+// renderer draw it.
 #include <fmt/format.h>
 
 #include <memory>
@@ -124,7 +124,7 @@ ExitCode draw(const DrawCommand& command) {
     print_nothing_selected();
     return ExitCode::nothing_selected;
   }
-  // Of a case that expands to several, the base case, or the first that the filters select.
+  // If the file expands to several cases: the base case, or the first that the filters select.
   const Case& one = suite.cases.front();
   if (command.renderer.empty()) return draw_alternatives(command, one);
   return draw_difference(command, selection, one);

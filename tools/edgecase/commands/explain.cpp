@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase explain: why exact draws a case as it does, and why a renderer that differs does.
+// edgecase explain: why exact draws a case as it does, and why a renderer differs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,8 +31,8 @@ struct ExplainCommand {
   SuiteRunOptions run;
 };
 
-// Whether one case at least has the pixel; prints an error otherwise. Images of a case may have
-// their width and height exchanged, so that not all of a file's cases need have it.
+// Returns true if at least one case has the pixel; otherwise prints an error. Variants of a case
+// may exchange width and height, so some of a file's cases may lack it.
 bool check_pixel(const std::string& text, const Suite& suite) {
   const auto has_pixel = [&](const Case& one) {
     return parse_pixel(text, one.scene.target).has_value();
@@ -66,7 +66,7 @@ void print_blocks(const Scene& scene, const Policy& policy, const BlockSizes& si
   }
 }
 
-// The blocks of a case, of a supersampled one those of its first pass, as a picture.
+// The blocks of a case as a picture; of a supersampled one, those of its first pass.
 ExitCode draw_blocks(const Case& one, const Policy& policy, const BlockSizes& sizes,
                      const std::string& file) {
   const bool is_supersampled = !one.scene.supersampling.empty();
@@ -135,7 +135,7 @@ void print_result(const Result& result, const RendererInfo& info, std::optional<
   for (const ValueAggregate& values : result.values) print_values(values);
 }
 
-// What the renderers make of a case.
+// Prints the renderers' results for a case.
 ExitCode print_results(const Case& one, const Policy& policy, const Selection& selection,
                        const ExplainCommand& command, std::optional<Pixel> pixel) {
   const auto profiles = load_profiles(selection, command.run.renderers);
@@ -196,7 +196,7 @@ ExitCode explain(const ExplainCommand& command) {
     if (pixel) fmt::print("{}", pixel_words(one.scene, *policy, *pixel));
     if (command.run.renderers.empty()) continue;
     exit = worse(exit, print_results(one, *policy, selection, command, pixel));
-    // A case that does not run leaves the others; a mistake or an interruption ends it all.
+    // If a case does not run, the others still do; an error or an interruption ends the command.
     if (exit != ExitCode::as_expected && exit != ExitCode::renderer) return exit;
   }
   return exit;

@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "casefile/loader.h"
-#include "model/scene_text.h"
+#include "model/scene.h"
 #include "reports/text.h"
 #include "run/renderer_names.h"
 #include "run/renderers.h"
-#include "search/find_file.h"
+#include "search/find.h"
 #include "search/fuzz.h"
 #include "search/scene_size.h"
 #include "tools/edgecase/commands/commands.h"
@@ -54,7 +54,7 @@ Selection suite_selection() {
   return selection;
 }
 
-// The renderers with what they are held against; prints what is wrong and returns nothing.
+// The renderers with their policies; prints an error and returns nothing if one cannot be used.
 std::optional<std::vector<FuzzRenderer>> renderers_of(const FuzzCommand& command) {
   if (!are_known(command.renderers)) return std::nullopt;
   const Selection suite = suite_selection();
@@ -80,7 +80,7 @@ std::optional<std::vector<FuzzRenderer>> renderers_of(const FuzzCommand& command
   return renderers;
 }
 
-// The cases of files and folders; prints what is wrong and returns nothing.
+// The cases of files and folders; prints an error and returns nothing if they cannot be loaded.
 std::optional<std::vector<Case>> cases_of(const std::vector<std::string>& paths) {
   if (paths.empty()) return std::vector<Case>{};
   Suite suite = load_suite(select_cases(paths));
@@ -89,7 +89,7 @@ std::optional<std::vector<Case>> cases_of(const std::vector<std::string>& paths)
   return std::move(suite.cases);
 }
 
-// JSON of an earlier search, or case files.
+// Adds finds from the JSON of an earlier search, or from case files.
 bool add_known(const std::string& path, KnownFinds& known) {
   std::error_code error;
   if (!std::filesystem::is_directory(path, error)) {
@@ -112,7 +112,7 @@ bool add_known(const std::string& path, KnownFinds& known) {
   return true;
 }
 
-// Of the families those that have an end; prints that there are none.
+// Keeps the finite families; prints an error if there are none.
 bool keep_those_with_an_end(std::vector<const Family*>& families) {
   std::erase_if(families, [](const Family* family) { return family->scenes == 0; });
   if (!families.empty()) return true;
@@ -124,7 +124,7 @@ bool keep_those_with_an_end(std::vector<const Family*>& families) {
   return false;
 }
 
-// All but progress and stop; prints what is wrong and returns nothing.
+// The options without progress and stop; prints an error and returns nothing if they are wrong.
 std::optional<FuzzOptions> options_of(const FuzzCommand& command) {
   FuzzOptions options;
   options.seed = command.seed;
@@ -159,7 +159,7 @@ std::optional<FuzzOptions> options_of(const FuzzCommand& command) {
   return options;
 }
 
-// The path from a folder to the suite's schema; empty where the folder is in no suite.
+// The path from a folder to the suite's schema; empty if the folder is in no suite.
 std::string schema_for(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -172,7 +172,7 @@ std::string schema_for(const std::filesystem::path& folder) {
   return "";
 }
 
-// A file that is there stays as it is; is it of the same scene?
+// Returns true if the file exists and has the same scene. An existing file is never overwritten.
 bool is_saved_already(const std::filesystem::path& path, const Scene& scene) {
   const LoadedCases loaded = load_cases(path, "find");
   if (loaded.cases.size() == 1 && same_scene(loaded.cases.front().scene, scene)) return true;
@@ -181,7 +181,7 @@ bool is_saved_already(const std::filesystem::path& path, const Scene& scene) {
   return false;
 }
 
-// Writes the finds, and tells the path of each, or nothing where there is none.
+// Writes the finds and returns the path of each; empty for one that was not written.
 std::vector<std::string> save(const FuzzCommand& command, const FuzzReport& report,
                               ExitCode& exit) {
   std::vector<std::string> files;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase gallery: policies in pictures, beside OpenGL's exact ones and a renderer's.
+// edgecase gallery: pictures under policies, beside OpenGL's exact ones and a renderer's.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,12 +31,12 @@ std::vector<fs::path> galleries_in(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (entry.path().extension() == ".json") files.push_back(entry.path());
-  // By name, so that one stands before those that it begins.
+  // Sorted by name without suffix, so that a name precedes those that begin with it.
   std::ranges::sort(files, {}, [](const fs::path& file) { return file.stem(); });
   return files;
 }
 
-// The files of the galleries that are named, or of all; an error is printed for each that is none.
+// The files of the named galleries, or of all; prints an error for each that does not exist.
 std::vector<fs::path> gallery_files(const GalleryCommand& command, ExitCode& exit) {
   const fs::path folder = fs::path(command.suite) / "galleries";
   if (command.names.empty()) return galleries_in(folder);
@@ -78,7 +78,7 @@ std::vector<LoadedPictures> load_all(const GalleryCommand& command, ExitCode& ex
   return galleries;
 }
 
-// What does not draw a picture costs the page that picture alone.
+// A picture that cannot be drawn is missing from its page; the others are written.
 ExitCode exit_code_of_failures(const Results& results) {
   for (const CaseResults& one : results.cases)
     for (const Result& result : one.results)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase manual: the manual page, and completions for shells, of this program as it is.
+// edgecase manual: the manual page and completions for shells, generated from the program's own
+// options.
 #include <fmt/format.h>
 
 #include <memory>

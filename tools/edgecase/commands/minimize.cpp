@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase minimize: the smallest scene that shows what a case shows of a renderer.
+// edgecase minimize: the smallest scene in which a renderer shows the same difference as in a case.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 
 #include "casefile/case_writer.h"
 #include "casefile/json/text.h"
-#include "model/counted.h"
-#include "model/scene_text.h"
+#include "model/scene.h"
+#include "model/text.h"
 #include "reports/text.h"
 #include "rules/all_rules.h"
 #include "run/renderer_names.h"
 #include "run/renderers.h"
-#include "search/find_file.h"
+#include "search/find.h"
 #include "search/minimize.h"
 #include "search/scene_size.h"
 #include "tools/edgecase/commands/commands.h"
@@ -40,7 +40,7 @@ struct MinimizeCommand {
   PolicyOptions policy;
 };
 
-// The one case that is meant; prints what is wrong otherwise.
+// The case that a word names; prints an error if it is not exactly one.
 std::optional<Case> find_case(const std::string& word, const Selection& selection, ExitCode& exit) {
   Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
@@ -64,12 +64,12 @@ bool is_about(const Result& result, const Signature& signature, const std::strin
     if ((rule.empty() || name_of(d->rule) == rule) &&
         (!pixel || (d->x == pixel->x && d->y == pixel->y)))
       return true;
-  // Aggregated values have no pixels to choose them by, but a rule.
+  // Aggregated values are chosen by rule, since they have no pixel.
   return !pixel && !rule.empty() && signature.rule == rule && !signature.attribute.empty();
 }
 
-// The worst of what an answer shows, of what the options choose. What the specification does not
-// allow is worse than what is contested, and that than what it allows, explained or not.
+// The worst difference of an answer among those that the options choose: illegal ones are worse
+// than contested ones, and these than legal ones, with or without a cause.
 std::optional<Signature> choose_signature(const TrialAnswer& answer, const std::string& rule,
                                           std::optional<Pixel> pixel) {
   std::optional<Signature> chosen;
@@ -92,7 +92,7 @@ std::string words_of_size(const Scene& scene) {
                      words(size.settings, "setting", "settings"));
 }
 
-// What differs, in a sentence, with the renderer's answer. `info` holds what can be told.
+// A sentence on the difference and the renderer's answer.
 std::string why_of(const Result& result, const Signature& signature, const RendererInfo& info) {
   if (result.failure)
     return fmt::format("{} ({}) fails here: {}: {}", info.name, info.device,
@@ -116,7 +116,7 @@ std::string why_of(const Result& result, const Signature& signature, const Rende
   return fmt::format("{} ({}): {}.", info.name, info.device, title_of(signature));
 }
 
-// The rules that the case is about: those of what it shows, or the original's.
+// The rules of the new case: those of its difference, or the original's.
 std::vector<std::string> rules_of(const Minimized& minimized, const Signature& signature,
                                   const Case& original) {
   std::vector<std::string> rules;
@@ -183,7 +183,7 @@ std::string json_text(const Minimized& minimized, const Signature& signature, co
                                     {"finished", minimized.end == MinimizeEnd::finished},
                                     {"asks", minimized.asks},
                                     {"minimized", nlohmann::ordered_json::parse(text)}};
-  // The renderer is named on the command line: bytes that are no UTF-8 are replaced, never fatal.
+  // Bytes of the renderer's name that are not UTF-8 are replaced.
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -209,7 +209,7 @@ ExitCode deliver(const MinimizeCommand& command, const Case& original, const Min
   return minimized.end == MinimizeEnd::stopped ? ExitCode::unexpected : ExitCode::as_expected;
 }
 
-// Does the renderer draw anything at all? That it fails at a case is no find otherwise.
+// Returns true if the renderer draws anything at all; otherwise its failure at a case is no find.
 bool is_at_work(Trial& trial) {
   Scene nothing;
   nothing.target.width = nothing.target.height = 1;
@@ -217,7 +217,7 @@ bool is_at_work(Trial& trial) {
   return !trial.ask(nothing).result.failure;
 }
 
-// What the options choose of what the case shows; prints why there is nothing.
+// The difference that the options choose; prints an error if there is none.
 std::optional<Signature> find_signature(const MinimizeCommand& command, const Case& original,
                                         const TrialAnswer& answer, std::optional<Pixel> pixel,
                                         Trial& trial, ExitCode& exit) {

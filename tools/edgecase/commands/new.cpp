@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase new: begins a case file, from coordinates, from a case or a result, or from the simplest
-// case about a rule. What is written is well formed; its words are for its author to put right.
+// edgecase new: begins a case file from coordinates, from a case or a result, or from the simplest
+// case about a rule. The file is well formed; its author corrects the texts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ struct NewCommand {
   bool force = false;
 };
 
-// The text of a file to be, and where it came from, in words.
+// The text of a new file, and a description of its origin.
 struct Begun {
   std::string text;
   std::string source;
@@ -57,7 +57,7 @@ bool is_known(const std::vector<std::string>& rules) {
   return true;
 }
 
-// From the file to the schema of the suite that it lies in; empty where it lies in none.
+// The path from the file to its suite's schema; empty if it lies in no suite.
 std::string schema_path(const std::string& file) {
   std::error_code error;
   const fs::path folder = fs::absolute(file, error).lexically_normal().parent_path();
@@ -67,12 +67,12 @@ std::string schema_path(const std::string& file) {
   return "";
 }
 
-// What the case is called as long as nobody has given it a name: after its file.
+// The default title of a case: the name of its file.
 std::string name_of_file(const NewCommand& command) {
   return command.file == "-" ? "New case" : fs::path(command.file).stem().string();
 }
 
-// What a case about a rule is called as long as nobody has given it a name.
+// The default texts of a case about rules.
 CaseWords words_about(const std::vector<std::string>& rules, const NewCommand& command) {
   const Rule& rule = *find_rule(rules.front());
   CaseWords words;
@@ -91,13 +91,13 @@ void put_in(const NewCommand& command, CaseWords& words) {
   if (!command.rules.empty()) words.rules = command.rules;
 }
 
-// The rule that scenes of such a primitive are about, where none is named.
+// The default rule of a case with this primitive.
 std::string usual_rule(const std::string& primitive) {
   if (primitive.starts_with("point")) return "point.ownership";
   return primitive.starts_with("line") ? "line.diamond-exit" : "triangle.fill-rule";
 }
 
-// "WIDTHxHEIGHT"; nothing, with the error printed, when it is not that.
+// Parses "WIDTHxHEIGHT"; prints an error and returns nothing for any other text.
 std::optional<std::pair<int, int>> parse_size(const std::string& text) {
   int width = 0;
   int height = 0;
@@ -136,7 +136,7 @@ std::optional<Begun> begin_with_coordinates(const NewCommand& command) {
   return Begun{scaffold_text(scaffold), "coordinates"};
 }
 
-// Were the case's colours its author's, or chosen by the loader?
+// Returns true if the author chose the case's colours, and not the loader.
 bool says_colors(const Case& one) {
   return one.source->find("\"color\"") != std::string::npos ||
          one.source->find("\"clear\"") != std::string::npos;
@@ -180,7 +180,7 @@ std::string file_id(const std::string& id) {
   return id.substr(0, id.find(':'));
 }
 
-// By path or id. Of several cases of a file the base case is meant, whose id comes first.
+// Finds a case by path or id; of several cases of a file, the base case, whose id comes first.
 std::optional<Case> find_in_suite(const NewCommand& command) {
   Suite suite = load_suite(selection_of(std::array{command.from}, command.suite));
   print_diagnostics(suite.diagnostics);
@@ -190,7 +190,7 @@ std::optional<Case> find_in_suite(const NewCommand& command) {
   return std::nullopt;
 }
 
-// What the renderers of a run answered: a sentence for each that differs.
+// The answers of a run's renderers: a sentence for each that differs.
 std::string answers_of(const Results& results, const CaseResults& one) {
   std::string text;
   for (std::size_t r = 0; r < results.renderers.size(); ++r) {
@@ -205,10 +205,9 @@ std::string answers_of(const Results& results, const CaseResults& one) {
   return text;
 }
 
-// The case that was run, and what the renderers made of it.
+// The case of the results, and its renderers' answers.
 std::optional<std::pair<Case, std::string>> find_in_results(const NewCommand& command) {
-  ExitCode ignored =
-      ExitCode::as_expected;  // whoever asks for a case asked for one that is not there
+  ExitCode ignored = ExitCode::as_expected;  // a missing case is the user's mistake, reported below
   const auto results = load_results(command.results, ignored);
   if (!results) return std::nullopt;
   const auto found = std::ranges::find_if(
@@ -244,7 +243,7 @@ std::optional<Begun> begin_with_case(const NewCommand& command) {
   return begin_with_scene(*one, words);
 }
 
-// The text with what exact draws, for its author to check by hand.
+// The text with the drawing of exact, for its author to check by hand.
 std::optional<std::string> drawn(const std::string& text, const Case& one) {
   const Rendering exact = rasterize(one.scene, Policy{});
   if (one.scene.target.samples > 1 || !one.scene.supersampling.empty()) {

@@ -63,7 +63,7 @@ bool deliver(const std::string& path, const std::string& text) {
   return true;
 }
 
-// The summary comes last, where it is read. Its tenth line says where the rest is.
+// The summary comes last, where users read it. Its tenth line names the options for more.
 void print_profile(const ProfileCommand& command, const Profile& profile) {
   if (command.full) fmt::print("{}\n", xml_text(profile_text(profile, command.clusters)));
   fmt::print("{}{}", xml_text(profile_summary(profile)),

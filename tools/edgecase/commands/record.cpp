@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase record: what a renderer answers to cases, in a file that recording:FILE replays.
+// edgecase record: writes a renderer's answers to a file, which recording:FILE replays.
 #include <fmt/format.h>
 
 #include <algorithm>

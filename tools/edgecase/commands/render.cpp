@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase render: what one renderer makes of cases, as JSON lines or as PNG files.
+// edgecase render: cases drawn by one renderer, as lines of JSON or PNG files.
 #include <fmt/format.h>
 
 #include <memory>
@@ -27,10 +27,10 @@ struct RenderOptions {
   double timeout = 10;
 };
 
-// Thrown out of the renderer's sink by Ctrl-C.
+// Thrown by the renderer's sink after Ctrl-C.
 struct Stopped {};
 
-// Collects output of the two kinds; what cannot be written is told once per file.
+// Writes output of both kinds, and reports failures once per file.
 class Output {
  public:
   explicit Output(const RenderOptions& options) : options_(options) {}
@@ -62,7 +62,7 @@ class Output {
   bool failed_ = false;
 };
 
-// Failures are told as they come; what is finished when the command is interrupted is kept.
+// Prints failures as they occur. Finished output is kept if the command is interrupted.
 ExitCode render_tasks(Renderer& renderer, const std::vector<Task>& tasks, Output& output) {
   ExitCode exit = ExitCode::as_expected;
   const InterruptGuard guard;

@@ -42,8 +42,8 @@ struct RulesCommand {
 
 using Rules = std::vector<const Rule*>;
 
-// Those whose ids match one of the globs; all of them where there are none. Prints an error and
-// returns nothing for a glob that matches none.
+// The rules whose ids match one of the globs; without globs, all. Prints an error and returns
+// nothing for a glob without a match.
 std::optional<Rules> select_rules(const std::vector<std::string>& globs) {
   const auto matches = [](const std::string& glob, const Rule& rule) {
     return fnmatch(glob.c_str(), name_of(rule.id), 0) == 0;

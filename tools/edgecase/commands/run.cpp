@@ -10,7 +10,7 @@
 #include <utility>
 #include <variant>
 
-#include "model/counted.h"
+#include "model/text.h"
 #include "reports/text.h"
 #include "run/last_failed.h"
 #include "run/recording_renderer.h"

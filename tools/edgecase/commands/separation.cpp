@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase separation: which pairs of alternatives the suite tells apart, and by how many cases.
+// edgecase separation: the number of cases that distinguish each pair of a rule's alternatives.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 
-#include "model/counted.h"
+#include "model/text.h"
 #include "run/separation.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/options.h"
@@ -32,7 +32,7 @@ void print_matrix(const SeparationMatrix& matrix) {
   }
 }
 
-// The pairs that fewer cases tell apart than asked for.
+// Prints the pairs that fewer than `least` cases distinguish.
 std::size_t print_weak_pairs(const SeparationMatrix& matrix, std::size_t least) {
   std::size_t weak = 0;
   for (std::size_t i = 0; i < matrix.alternatives.size(); ++i)

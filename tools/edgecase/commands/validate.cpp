@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase validate: are case files well formed and laid out, and does exact meet their drawings?
-// No OpenGL.
+// edgecase validate: checks the form and layout of case files, and their drawings against exact,
+// without OpenGL.
 #include <fmt/format.h>
 
 #include <memory>
 #include <set>
 
-#include "casefile/case_schema.h"
+#include "casefile/case_reader.h"
 #include "casefile/gallery_reader.h"
 #include "casefile/json/json_layout.h"
 #include "casefile/policy_reader.h"
-#include "model/counted.h"
+#include "model/text.h"
 #include "raster/rasterizer.h"
 #include "reports/text.h"
+#include "rules/all_rules.h"
 #include "run/expectation_check.h"
 #include "run/selection.h"
 #include "tools/edgecase/commands/commands.h"
@@ -26,7 +27,7 @@ struct ValidateCommand {
   SelectionOptions selection;
   bool check_format = false;
   bool format = false;
-  std::string schema;  // which one to print; empty: none
+  std::string schema;  // the schema to print; empty: none
 };
 
 // The files of the cases, in the order of their ids, each with its text.
@@ -36,8 +37,8 @@ std::map<std::filesystem::path, const std::string*> files_of(const Suite& suite)
   return files;
 }
 
-// Files that are not laid out as files of a suite are: named, and written anew where that is asked
-// for. Returns how many are left as they should not be; nothing when one cannot be written.
+// Prints the files whose layout is not a suite's; if `write`, rewrites them. Returns the number of
+// files left with another layout; nothing if one cannot be written.
 std::optional<std::size_t> lay_out_files(const Suite& suite, bool write) {
   std::size_t left = 0;
   for (const auto& [file, source] : files_of(suite)) {

@@ -6,8 +6,8 @@
 namespace edgecase {
 namespace {
 
-// readline ends words at ':' and '=', so the words are taken from the line itself, and what stands
-// before the last ':' is taken off the answers.
+// readline ends words at ':' and '='. So the words are taken from the line itself, and the part
+// before the last ':' is removed from the answers.
 constexpr const char* kBashHead = R"(# Completion of the edgecase command for bash.
 _edgecase() {
   local line=${COMP_LINE:0:COMP_POINT} words current previous choices= options= values= prefix
@@ -44,7 +44,7 @@ std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-// Within single quotes.
+// Escapes a text for single quotes.
 std::string quoted_for_fish(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Completion scripts for shells: subcommands, options, their values where there is a list of them,
-// and file names everywhere else.
+// Completion scripts for shells: subcommands, options, values of options with a list of them, and
+// otherwise file names.
 #pragma once
 
 #include <span>

@@ -14,7 +14,7 @@
 namespace edgecase {
 namespace {
 
-// By code; what 1 means is each page's.
+// By code; each page gives its own meaning of 1.
 constexpr std::array kMeanings = {"as expected",
                                   "",
                                   "usage or case error",

@@ -11,7 +11,7 @@
 namespace edgecase {
 namespace {
 
-// Text as man(7) takes it literally: no escapes, no requests, hyphens that can be copied.
+// A text escaped for man(7): no escapes, no requests, hyphens that can be copied.
 std::string literal(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -31,7 +31,7 @@ std::string upper(std::string text) {
   return text;
 }
 
-// The word that stands for an option's value: JUNIT of --junit.
+// The placeholder of an option's value: JUNIT for --junit.
 std::string value_word(const OptionWords& option) {
   std::string name = option.names.front();
   name.erase(0, name.find_first_not_of('-'));
@@ -54,7 +54,7 @@ std::string entry(const OptionWords& option) {
   if (!option.range.empty()) text += literal(fmt::format("; {}", option.range));
   if (!option.default_value.empty())
     text += literal(fmt::format(" (default: {})", option.default_value));
-  // A long list is in the text already, or in what another subcommand prints.
+  // A long list is already in the text, or printed by another subcommand.
   if (!option.choices.empty() && option.choices.size() < 8)
     text += literal(fmt::format(" [{}]", fmt::join(option.choices, ", ")));
   return text + "\n";

@@ -10,8 +10,8 @@
 
 namespace edgecase {
 
-// `description`: of the whole program, a sentence. Throws std::out_of_range for a subcommand that
-// has no help page.
+// `description`: a sentence on the whole program. Throws std::out_of_range for a subcommand without
+// a help page.
 std::string manual_page(const std::string& description, std::span<const CommandWords> commands);
 
 }  // namespace edgecase

@@ -38,7 +38,7 @@ std::string help_of(const CLI::App& app, const CLI::App* command) {
 // "--agianst=exact" is "--agianst". `command`: null for the program itself.
 std::string unknown_option(const CLI::App& app, const CLI::App* command, const std::string& word) {
   const std::string option = word.substr(0, word.find('='));
-  // A single dash with more than a letter behind it: two were meant.
+  // An option with a single dash and more than one letter is meant with two dashes.
   const bool is_long = option.starts_with("--") || option.size() > 2;
   const std::string written = is_long && !option.starts_with("--") ? "-" + option : option;
   const std::string asked = question(written, option_names(command == nullptr ? app : *command));
@@ -49,7 +49,7 @@ std::string unknown_option(const CLI::App& app, const CLI::App* command, const s
                      help);
 }
 
-// What nothing took, of the chosen subcommand or, where none was chosen, of the program.
+// The message on surplus words of the chosen subcommand or, without one, of the program.
 std::string extra_words(const CLI::App& app, const CLI::App* command,
                         const std::vector<std::string>& words) {
   for (const std::string& word : words)

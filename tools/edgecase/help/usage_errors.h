@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is said of a command line that cannot be taken: what is wrong, what may have been meant, and
-// which help to read.
+// Messages on invalid command lines: the error, a suggestion, and the help to read.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,11 +8,11 @@
 
 namespace edgecase {
 
-// One line for standard error, with its line break. A word that nothing takes is told before what
-// is missing, since a misspelt option is the usual reason that a required one is missing.
+// One line for standard error, with its line break. A surplus word is reported before a missing
+// option, since the missing one is usually misspelt.
 std::string usage_error(const CLI::App& app, const CLI::Error& error);
 
-// "did you mean run? ", or nothing where no subcommand is near.
+// "did you mean run? ", or empty if no subcommand is similar.
 std::string nearest_subcommand(const CLI::App& app, const std::string& name);
 
 }  // namespace edgecase

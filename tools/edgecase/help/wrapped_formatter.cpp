@@ -16,7 +16,7 @@ constexpr std::size_t kLeastWidth = 40;
 constexpr std::size_t kMostWidth = 100;
 constexpr std::size_t kUsualWidth = 80;
 
-// Of a terminal, or 0.
+// The width of the terminal, or 0.
 std::size_t terminal_columns() {
   winsize size{};
   if (isatty(STDOUT_FILENO) == 0 || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) return 0;
@@ -47,7 +47,7 @@ void append_line(std::string_view line, std::size_t width, std::size_t indent, s
   }
 }
 
-// In an order that does not depend on where the options lie in memory.
+// Sorted by name, since the order of pointers differs between runs.
 std::set<std::string> names_of(const std::set<CLI::Option*>& options) {
   std::set<std::string> names;
   for (const CLI::Option* option : options) names.insert(option->get_name());
@@ -106,7 +106,7 @@ std::string WrappedFormatter::make_option(const CLI::Option* option, bool is_pos
 
 std::string WrappedFormatter::make_option_opts(const CLI::Option* option) const {
   if (option->get_type_size() == 0) return "";
-  // "INT:INT in [1 - 256]" and "TEXT:{auto,never}" are types with what checks them.
+  // "INT:INT in [1 - 256]" and "TEXT:{auto,never}" are types with their validators.
   const std::string type = option->get_type_name();
   const bool is_repeatable = option->get_expected_max() == CLI::detail::expected_max_vector_size;
   return " " + type.substr(0, type.find(':')) + (is_repeatable ? " ..." : "");
@@ -134,7 +134,7 @@ std::string WrappedFormatter::entry(const std::string& name, const std::string& 
   const std::size_t column = get_column_width();
   std::string text = "  " + name;
   if (description.empty()) return text + "\n";
-  // At least a space between the two.
+  // The name and its description are separated by at least a space.
   if (text.size() + 1 > column)
     text += '\n' + std::string(column, ' ');
   else

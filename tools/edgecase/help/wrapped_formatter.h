@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Help as wide as the terminal: descriptions are broken between words.
+// Help as wide as the terminal, broken between words.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,8 +10,8 @@
 
 namespace edgecase {
 
-// Columns of what standard output writes to: of the terminal, or what the variable COLUMNS says, or
-// 80; from 40 to 100, beyond which lines are hard to read.
+// The width of help in columns: that of the terminal, or the variable COLUMNS, or 80; limited to 40
+// to 100, since longer lines are hard to read.
 std::size_t help_width();
 
 // The text in lines of at most `width` columns, all but the first with `indent` spaces in front.
@@ -27,13 +27,13 @@ class WrappedFormatter : public CLI::Formatter {
   std::string make_footer(const CLI::App* app) const override;
   std::string make_subcommand(const CLI::App* command) const override;
   std::string make_option(const CLI::Option* option, bool is_positional) const override;
-  // What stands behind an option's name: "TEXT ..." where it takes values.
+  // The text behind an option's name: "TEXT ..." if it takes values.
   std::string make_option_opts(const CLI::Option* option) const override;
-  // What it means, which values it takes, its default, and the options that it needs or excludes.
+  // Its meaning, values and default, and the options that it needs or excludes.
   std::string make_option_desc(const CLI::Option* option) const override;
 
  private:
-  // A name, and beside it, from the second column on, what it means.
+  // A name, and in the second column its meaning.
   std::string entry(const std::string& name, const std::string& description) const;
 
   std::size_t width_;

@@ -9,16 +9,16 @@
 #include <charconv>
 #include <string_view>
 
-#include "raster/primitives.h"
+#include "raster/coverage_stages.h"
 #include "rules/choices.h"
-#include "rules/coverage/explain.h"
+#include "rules/rule.h"
 
 namespace edgecase {
 namespace {
 
 constexpr std::array kSides = {2, 4, 8, 16, 32};
 
-// What a primitive's walk comes to.
+// The sums over a primitive's walk.
 struct Totals {
   std::array<int, 3> rejected{};  // by edge
   int accepted = 0;
@@ -28,7 +28,7 @@ struct Totals {
   int all_rejected() const { return rejected[0] + rejected[1] + rejected[2]; }
 };
 
-// Of the blocks of one size.
+// The sums for blocks of one size.
 Totals totals_of(const BlockWalk& walk, int size) {
   Totals totals;
   for (const WalkedBlock& block : walk.blocks) {
@@ -83,7 +83,7 @@ char sign_of(const WalkedBlock& block) {
   return '.';
 }
 
-// A character for each of the smallest blocks, top row first.
+// A drawing with a character for each of the smallest blocks, top row first.
 std::string drawing_of(const BlockWalk& walk, const Target& target, int smallest) {
   const int columns = (target.width + smallest - 1) / smallest;
   const int rows = (target.height + smallest - 1) / smallest;
@@ -108,7 +108,7 @@ int samples_of_box(const PrimitiveBlocks& blocks) {
          static_cast<int>(blocks.places.size());
 }
 
-// Which edges reject how many blocks of any size.
+// The number of rejected blocks by edge, over all sizes.
 std::string edge_text(const PrimitiveBlocks& blocks) {
   std::string text;
   for (std::size_t e = 0; e < 3; ++e) {
@@ -154,7 +154,7 @@ DrawnBlock::Kind drawn_kind(BlockDecision decision) {
   return DrawnBlock::Kind::tested;
 }
 
-// The samples of a tested block that are asked: those in the bounding box.
+// The tested samples of a block: those in the bounding box.
 void add_samples(const WalkedBlock& block, const PrimitiveBlocks& blocks, BlocksPanel& panel) {
   auto covered = block.covered.begin();
   for (int y = block.pixels.y_min; y <= block.pixels.y_max; ++y)

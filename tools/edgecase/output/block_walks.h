@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How a case's triangles are found by blocks, for `edgecase explain --blocks`: as text, and as what
-// a picture shows.
+// The block walks of a case's triangles, for `edgecase explain --blocks`: as text, and as the
+// content of a picture.
 #pragma once
 
 #include <optional>
@@ -17,15 +17,15 @@ namespace edgecase {
 // The sides of blocks, pixels, from the outer to the inner ones.
 using BlockSizes = std::vector<int>;
 
-// "8" or "32,8": of 2, 4, 8, 16 and 32, each smaller than the one before it. Nothing for any other
-// text.
+// Parses "8" or "32,8": sides of 2, 4, 8, 16 or 32, each smaller than the one before it. Nothing
+// for any other text.
 std::optional<BlockSizes> parse_block_sizes(const std::string& text);
 
-// Lines, of each primitive of the scene: a drawing of the blocks and what was asked for it, or why
-// it is not walked. The scene is not supersampled.
+// Lines for each primitive of the scene: a drawing of the blocks and the number of tests, or why it
+// is not walked. The scene must not be supersampled.
 std::string block_text(const Scene& scene, const Policy& policy, const BlockSizes& sizes);
 
-// The same triangles as a picture; without a panel where none is walked.
+// The same triangles as a picture, without panels if none is walked.
 BlocksPicture block_picture(const Scene& scene, const Policy& policy, const BlockSizes& sizes);
 
 }  // namespace edgecase

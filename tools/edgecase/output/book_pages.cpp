@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// id -> case, of all worked scenes; nothing, with the errors printed, where one cannot be loaded.
+// The cases of all worked scenes by id; prints errors and returns nothing if one cannot be loaded.
 std::optional<std::map<std::string, Case>> load_cases(const fs::path& suite) {
   Selection selection;
   for (const WorkedScene& scene : worked_scenes()) {
@@ -69,7 +69,7 @@ std::string answer_of(const std::vector<PixelExplanation>& decisions) {
   return fmt::format("By primitive{} {}", many, listed(drawn));
 }
 
-// Which alternatives of the scene's rule draw the pixel.
+// Finds the alternatives of the scene's rule that draw the pixel.
 void compare_alternatives(const Scene& scene, const Rule& rule, BookScene& told) {
   const auto index = static_cast<std::size_t>(told.picture.y * told.picture.width + told.picture.x);
   for (const Alternative& alternative : rule.alternatives) {
@@ -80,7 +80,7 @@ void compare_alternatives(const Scene& scene, const Rule& rule, BookScene& told)
   }
 }
 
-// The command that prints a scene's words.
+// The command that prints a scene's text.
 std::string command_of(const WorkedScene& scene) {
   const std::string id(scene.case_id);
   const std::string file = id.substr(0, id.find(':'));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// From the catalogue and the worked scenes to the rule book.
+// Makes the rule book from the catalogue and the worked scenes.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace edgecase {
 
-// The book, its scenes drawn by policy `opengl`; `suite` holds their cases. Prints what is wrong
-// with a case and returns nothing.
+// The book, with its scenes drawn under policy `opengl`; `suite` has their cases. Prints an error
+// and returns nothing if a case cannot be loaded.
 std::optional<RuleBook> rule_book(const std::filesystem::path& suite);
 
 }  // namespace edgecase

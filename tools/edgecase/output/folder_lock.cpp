@@ -44,8 +44,8 @@ void wait_for_turn(int descriptor, const fs::path& folder) {
 }  // namespace
 
 FolderLock::FolderLock(const std::set<fs::path>& folders) {
-  // Each folder once, whatever its names, and in an order that is the same for every command: two
-  // never wait for each other.
+  // Each folder once, whatever its names, in the same order for every command, so that two never
+  // wait for each other.
   std::map<std::pair<dev_t, ino_t>, std::pair<int, fs::path>> opened;
   for (const fs::path& folder : folders) {
     std::error_code ignored;

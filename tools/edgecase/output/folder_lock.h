@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Folders into which one command at a time writes its reports, so that those in one folder are all
-// of one run: a page and the scripts beside it, results and what was made of them.
+// Locks on folders, so that only one command at a time writes its reports there and all files of a
+// folder belong to one run: a page and the scripts beside it, results and their reports.
 //
-// The lock is the kernel's, on the folder itself: no file is left behind, and it ends with the
-// process. Where a file system knows no locks, and where another command keeps one for longer than
-// a minute, files are written all the same: each is whole (output/whole_file.h).
+// The lock is the kernel's, on the folder itself: it leaves no file and ends with the process. If a
+// file system has no locks, or another command holds one for more than a minute, files are written
+// anyway; each of them is complete (output/whole_file.h).
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace edgecase {
 
 class FolderLock {
  public:
-  // Makes the folders that are missing and waits for its turn, saying so on standard error.
+  // Creates missing folders and waits for the locks, with a message on standard error.
   explicit FolderLock(const std::set<std::filesystem::path>& folders);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -29,7 +29,7 @@ const Case* find_case(const std::vector<Case>& cases, const std::string& id) {
   return found == cases.end() ? nullptr : &*found;
 }
 
-// Prints that a picture's case is none of those that were loaded.
+// Prints that a picture's case does not exist.
 void print_unknown_case(const fs::path& file, const std::string& id,
                         const std::vector<Case>& cases) {
   const std::string start = file_id_of(id) + ":";
@@ -43,7 +43,7 @@ void print_unknown_case(const fs::path& file, const std::string& id,
                           file.string(), id));
 }
 
-// The cases of all pictures; nothing, with the errors printed, where one is missing.
+// The cases of all pictures; prints errors and returns nothing if one is missing.
 std::optional<std::vector<Case>> load_cases_of(const Gallery& gallery, const fs::path& file,
                                                const fs::path& suite_folder) {
   std::set<std::string> ids;
@@ -71,7 +71,7 @@ std::optional<std::vector<Case>> load_cases_of(const Gallery& gallery, const fs:
   return cases;
 }
 
-// Words are about what the policy chooses; a slip would go unseen otherwise.
+// Checks that the policy chooses each rule that the gallery explains.
 bool check_choices(const Gallery& gallery, const Policy& policy, const fs::path& file) {
   bool fine = true;
   for (const auto* words : {&gallery.choices, &gallery.not_shown})

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// From a gallery to its page: cases loaded and drawn, under the policy, exactly and by a renderer.
+// Makes a gallery's page: loads its cases and draws them, under the policy, exactly and by a
+// renderer.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +10,7 @@
 #include <vector>
 
 #include "model/case.h"
-#include "model/gallery.h"
+#include "model/policy.h"
 #include "reports/gallery.h"
 #include "results/results.h"
 
@@ -23,12 +24,13 @@ struct LoadedPictures {
   std::vector<Case> cases;  // sorted by id
 };
 
-// Reads it all; `suite` holds cases and policies. Prints what is wrong and returns nothing.
+// Reads all files; `suite` has the cases and policies. Prints an error and returns nothing if one
+// is faulty.
 std::optional<LoadedPictures> load_pictures(const std::filesystem::path& file,
                                             const std::filesystem::path& suite);
 
-// `results`: of one renderer under policy `opengl`, of all the gallery's cases. Links are left to
-// the caller.
+// `results`: of one renderer under policy `opengl`, for all cases of the gallery. The caller adds
+// links.
 GalleryPage gallery_page(const LoadedPictures& loaded, const Results& results);
 
 }  // namespace edgecase

@@ -15,7 +15,7 @@
 namespace edgecase {
 namespace {
 
-// The profiles of the renderers, from beside the cases; those that cannot be had are left out.
+// The profiles of the renderers, from beside the cases, without those that cannot be read.
 ReportProfiles profiles_of(const Results& results) {
   ReportProfiles told;
   if (results.cases.empty()) return told;
@@ -48,7 +48,7 @@ ReportTexts texts_of(const Results& results, const std::optional<Comparison>& si
   return texts;
 }
 
-// Scripts that the page at `path` had beyond the `count` that it has now.
+// Removes the scripts of an earlier page at `path` beyond the present `count`.
 void remove_scripts(const std::filesystem::path& path, std::size_t count) {
   std::error_code error;
   for (std::size_t n = count + 1;; ++n) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The HTML report as files: the page, what is too large for it, and what it tells beyond the
-// results.
+// The HTML report as files: the page, scripts with the details that do not fit, and texts that are
+// not in the results.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@
 
 namespace edgecase {
 
-// Writes the page to `path`, "-" meaning standard output, and, where `all_details` are asked for,
-// beside it the scripts that it needs; those that an earlier page of the same name needed and this
-// one does not are removed. False, with the error printed, when a file cannot be written.
+// Writes the page to `path`, or to standard output for "-"; if `all_details`, also the scripts
+// beside it. Removes scripts that only an earlier page of the same name needed. Prints an error and
+// returns false if a file cannot be written.
 bool write_html_report(const Results& results, const std::optional<Comparison>& since,
                        const std::string& path, bool all_details);
 

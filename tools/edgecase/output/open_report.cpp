@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// xdg-open ends at once where it hands the file to a desktop, or stays as long as the browser that
-// it starts itself. So it is waited for only a moment, in a session of its own, so that Ctrl-C and
-// the end of this program leave the browser alone.
+// xdg-open ends at once if it hands the file to a desktop, or runs as long as a browser that it
+// starts itself. So we wait only a moment. It runs in a session of its own, so that Ctrl-C and the
+// end of this program do not affect the browser.
 #include "tools/edgecase/output/open_report.h"
 
 #include <fcntl.h>
@@ -24,7 +24,7 @@ namespace {
 constexpr const char* kOpener = "xdg-open";
 constexpr std::chrono::milliseconds kMoment{2000};
 
-// What it prints goes nowhere.
+// Discards the output of xdg-open.
 class QuietActions {
  public:
   QuietActions() {
@@ -41,7 +41,7 @@ class QuietActions {
   posix_spawn_file_actions_t actions_;
 };
 
-// The error of starting it, as errno has it.
+// Starts xdg-open; returns an error as in errno, or 0.
 int start(const std::string& path, pid_t& child) {
   const QuietActions actions;
   posix_spawnattr_t attributes;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Why a pixel of a case is drawn or not, in the words and the picture of `edgecase explain`, which
-// are those of the rule book, too.
+// Why a pixel of a case is drawn or not: the text and picture of `edgecase explain` and of the rule
+// book.
 #pragma once
 
 #include <string>
@@ -13,11 +13,11 @@
 
 namespace edgecase {
 
-// Lines: the pixel, and a sentence of each primitive, of multisampled ones of each sample; of a
-// supersampled scene all of that for each pass.
+// Lines with the pixel and a sentence for each primitive and, if multisampled, for each sample; for
+// a supersampled scene, the same for each pass.
 std::string pixel_words(const Scene& scene, const Policy& policy, Pixel pixel);
 
-// The same decisions as a picture, of a supersampled case those of its first pass.
+// The same decisions as a picture; for a supersampled case, those of its first pass.
 PixelPicture pixel_picture(const Case& one, const Policy& policy, Pixel pixel);
 
 }  // namespace edgecase

@@ -11,7 +11,7 @@
 namespace edgecase {
 namespace {
 
-// A terminal may be gone by now: progress that cannot be shown is lost.
+// Errors are ignored, since the terminal may be gone.
 void show(const std::string& text) {
   std::fputs(text.c_str(), stderr);
   std::fflush(stderr);

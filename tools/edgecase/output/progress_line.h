@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Progress on a terminal: one line of standard error that is written over, with rate and time left.
+// Progress on a terminal: one line of standard error that is overwritten, with rate and time left.
 #pragma once
 
 #include <chrono>
@@ -13,8 +13,8 @@ namespace edgecase {
 
 class ProgressLine {
  public:
-  // `choice`: "auto" shows it where standard error is a terminal, "never" does not. `noun` is what
-  // is counted: "cases".
+  // `choice`: "auto" shows progress if standard error is a terminal, "never" does not. `noun`: the
+  // counted things, "cases".
   ProgressLine(const std::string& choice, std::string noun);
   ~ProgressLine() { clear(); }
   ProgressLine(const ProgressLine&) = delete;
@@ -22,14 +22,14 @@ class ProgressLine {
 
   // May be called from any thread.
   void update(std::size_t done, std::size_t total);
-  // The same where no total is known; `more` is what stands behind number and rate.
+  // The same without a total; `more`: the text behind number and rate.
   void update(std::size_t done, const std::string& more);
-  // Takes the line away.
+  // Removes the line.
   void clear();
 
  private:
   using Clock = std::chrono::steady_clock;
-  // Is the line to be written? Seconds since the start, then.
+  // The seconds since the start if the line is due; otherwise nothing.
   std::optional<double> due();
   bool enabled_;
   std::string noun_;

@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-#include "model/digest.h"
+#include "model/text.h"
 #include "reports/annotations.h"
 #include "reports/ctrf.h"
 #include "reports/disagreements_csv.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "image/image_file.h"
-#include "model/digest.h"
+#include "model/text.h"
 #include "reports/triptych.h"
 #include "tools/edgecase/options.h"
 
@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostOfName = 200;   // bytes; file systems take 255
 constexpr std::size_t kMostOfPath = 1000;  // bytes; Linux takes 4095
 
-// Stands for a colon, which Windows and the artifacts of GitHub do not take.
+// Replaces a colon, which Windows and GitHub's artifacts do not allow.
 constexpr char kColon = '@';
 
-// One part of a path, of letters, digits and a few signs; others become "-".
+// One part of a path, in which all but letters, digits and a few signs become "-".
 std::string plain(std::string_view part) {
   std::string name(part.substr(0, kMostOfName));
   std::replace(name.begin(), name.end(), ':', kColon);
@@ -38,7 +38,7 @@ std::string plain(std::string_view part) {
   return name.find_first_not_of('.') == std::string::npos ? "-" : name;
 }
 
-// The folders of two renderers are never the same.
+// A renderer's folder, which no other renderer has.
 std::string folder_of(const std::string& renderer, std::set<std::string>& taken) {
   std::string base = plain(renderer);
   std::replace_if(

@@ -10,13 +10,13 @@
 
 namespace edgecase {
 
-// Where the triptych of an id lies in its renderer's folder: the id with "@" for ":", and ".png".
-// What no file can be called, or what would lead out of the folder, is replaced by "-" and a digest
-// of the id, so that two ids never share a file.
+// The path of an id's triptych in its renderer's folder: the id with "@" for ":", and ".png".
+// Characters that are not allowed, or would lead out of the folder, are replaced by "-", and a
+// digest of the id is added, so that two ids never share a file.
 std::filesystem::path triptych_path(const std::string& id);
 
-// Writes them into `folder`, RENDERER/CASE.png, and says on standard error how many. False when one
-// cannot be written: the error is printed, and no other is tried.
+// Writes triptychs into `folder` as RENDERER/CASE.png, and prints their number to standard error.
+// If one cannot be written, prints an error, stops and returns false.
 bool write_triptychs(const Results& results, const std::filesystem::path& folder);
 
 }  // namespace edgecase

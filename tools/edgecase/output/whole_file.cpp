@@ -37,22 +37,22 @@ std::string fault_of(const fs::path& path, int error) {
                      remedy_of(error));
 }
 
-// 0, or the error.
+// Returns 0, or the error.
 int write_as_it_is(const fs::path& path, const std::function<void(std::ostream&)>& write) {
   errno = 0;
   std::ofstream out(path, std::ios::binary);
   if (out) write(out);
-  // What makes a stream fail later may change errno.
+  // Read at once, since later calls may change errno.
   const int error = out ? 0 : errno;
   out.close();
   if (out) return 0;
   return error != 0 ? error : errno != 0 ? errno : EIO;
 }
 
-// A new file beside another one, gone with this object unless it has taken the other's name.
+// A new file beside another one, removed with this object unless it has replaced the other.
 class Part {
  public:
-  // Its name is short, however long the other's is.
+  // Its name is short even if the other's is long.
   explicit Part(const fs::path& whole) {
     int descriptor = -1;
     for (int n = 0; descriptor < 0 && (n == 0 || errno == EEXIST); ++n) {
@@ -85,12 +85,12 @@ int replace(const fs::path& path, const std::function<void(std::ostream&)>& writ
   return std::rename(part.path().c_str(), path.c_str()) == 0 ? 0 : errno;
 }
 
-// Is it a file, or nothing yet, whose folder takes another one beside it?
+// True if the path is a file, or does not exist, and its folder allows another file beside it.
 bool can_be_replaced(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) return true;
-  // One that may not be written is for writing as it is to refuse.
+  // A read-only file is left to write_as_it_is, which reports the error.
   const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
   return fs::is_regular_file(status) && access(path.c_str(), W_OK) == 0 &&
          access(folder.c_str(), W_OK | X_OK) == 0;

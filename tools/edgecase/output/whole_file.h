@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Files that are whole at any time: what is written goes into a file beside the one that is meant,
-// and takes its name when it is finished. Who reads meanwhile, or after the command was killed or
-// the disk was full, finds what was there before; of two commands that write one file, one wins.
+// Files that are complete at any time: a file is written under another name beside the intended
+// one, and renamed when it is finished.
 //
-// Devices and pipes are written to as they are, and so are files in folders that take no new ones.
+// A reader meanwhile, or after a crash or with a full disk, finds the earlier file; of two commands
+// that write one file, one wins. Devices, pipes, and files in folders that allow no new files are
+// written directly.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +15,8 @@
 
 namespace edgecase {
 
-// Writes a file, its folder made if need be, through symbolic links and with the permissions that
-// it had. Why it cannot be written, and what to do; empty when it is written.
+// Writes a file through symbolic links, keeps its permissions, and creates its folder if necessary.
+// Returns the reason for failing and the remedy; empty on success.
 std::string write_whole_file(const std::filesystem::path& path,
                              const std::function<void(std::ostream&)>& write);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The rule book's worked scenes: cases of the suite, a pixel of each, and the rule to which the
-// question belongs. Whether it is drawn, and why, is not said here: exact does.
+// The rule book's worked scenes: cases of the suite, a pixel of each, and the rule of the question.
+// Exact answers whether the pixel is drawn, and why.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@
 namespace edgecase {
 
 struct WorkedScene {
-  RuleId rule = RuleId::none;  // in whose section it stands
+  RuleId rule = RuleId::none;  // the section of the book
   std::string_view case_id;    // as `edgecase run --list` prints it
   int x = 0;                   // pixel of the target, y up
   int y = 0;

@@ -14,7 +14,7 @@ constexpr int kRowWidth = 256;
 // The measured edge climbs in steps of 2^-kFinestBits pixels, over 2^-kCoarsestBits of them.
 constexpr int kFinestBits = 12;
 constexpr int kCoarsestBits = 4;
-// Beyond this the edge's column moves by less than a pixel per jump, and jumps go unseen.
+// With more bits the edge's column moves by less than a pixel per jump, and jumps are not visible.
 constexpr int kMostBits = 10;
 
 Scene make_scene(int width, int height) {
@@ -60,7 +60,7 @@ Scene edge_scene(int climb) {
   return scene;
 }
 
-// A point, or a line through the whole target, in the middle of a target that has room for it. No
+// A point, or a line through the whole target, in the middle of a target that is large enough. No
 // pixel's centre lies on a boundary.
 Scene thick_scene(Primitive primitive, int thickness) {
   const int size = thickness + 4;
@@ -153,7 +153,7 @@ ProbeResult probe(Renderer& renderer) {
   result.triangles = triangle->fragments.size();
   result.smooth = is_smooth(*triangle);
   result.fragment_colors = tells_values(*triangle);
-  // A rendering whose hit counts contradict its fragments does not come this far.
+  // Renderings whose hit counts contradict their fragments were refused before.
   result.hits_agree = !triangle->hits.empty();
   if (const auto line = render_one(renderer, probe_scene(Primitive::lines), nullptr))
     result.lines = line->fragments.size();

@@ -21,7 +21,7 @@ namespace {
 using nlohmann::json;
 using std::chrono::milliseconds;
 
-// How long nothing may come after an answer, and how long a program may take to end.
+// The time during which nothing may follow an answer, and the time that a program may take to end.
 constexpr milliseconds kQuiet{150};
 constexpr milliseconds kFarewell{2'000};
 
@@ -33,7 +33,7 @@ constexpr const char* kStayAlive =
     "why it did not";
 constexpr const char* kFollow = "compare the answer with \"The answer\" in reference/PROTOCOL.md";
 
-// What came of a check.
+// The result of a check.
 struct CheckResult {
   CheckOutcome outcome = CheckOutcome::pass;
   std::string finding;
@@ -44,7 +44,7 @@ CheckResult failed(std::string finding, std::string remedy) {
   return {CheckOutcome::fail, std::move(finding), std::move(remedy)};
 }
 
-// Of a reply that is neither a rendering nor a refusal.
+// The result for a reply that is neither a rendering nor a refusal.
 CheckResult no_answer(const Reply& reply) {
   if (reply.kind == Reply::Kind::silence) return failed(reply.problem, kStayAlive);
   return failed("its answer is refused: " + reply.problem, kFollow);
@@ -88,7 +88,7 @@ class Examiner {
   void check(std::string name, const std::function<CheckResult()>& run) {
     if (stop_ != nullptr && stop_->load()) return;
     CheckResult verdict = run();
-    // After garbage nobody knows what else is on its way.
+    // After garbage, further output may follow, so the program is restarted.
     if (verdict.outcome == CheckOutcome::fail) session_.restart();
     if (stop_ != nullptr && stop_->load()) return;
     result_.checks.push_back({static_cast<int>(result_.checks.size()) + 1, std::move(name),
@@ -162,7 +162,7 @@ class Examiner {
     return {};
   }
 
-  // Of two scenes: what is told of the second must not be that of the first.
+  // Two scenes are drawn, since the second must not get the digest of the first.
   CheckResult repeats_digest() {
     for (const Scene& scene : {empty_scene(2, 2), empty_scene(3, 2)}) {
       const std::string digest = digest_of(scene_json(scene));
@@ -185,7 +185,7 @@ class Examiner {
     return {};
   }
 
-  // Nothing more has come since the last answer.
+  // Checks that nothing follows the last answer.
   CheckResult quiet() {
     const Reply reply = session_.ask("conformance/quiet", scene_of(Primitive::triangles));
     if (!is_answer(reply)) return no_answer(reply);
@@ -293,7 +293,7 @@ class Examiner {
     return {};
   }
 
-  // A request that was changed is to be drawn as it was, or refused.
+  // A changed request must be drawn like the original if `draws`, or refused.
   CheckResult changed(const std::function<void(json&)>& change, bool draws) {
     const Scene scene = scene_of(Primitive::points);
     const std::string text = scene_json(scene);
@@ -332,18 +332,6 @@ class Examiner {
 };
 
 }  // namespace
-
-const char* name_of(CheckOutcome outcome) {
-  switch (outcome) {
-    case CheckOutcome::pass:
-      return "pass";
-    case CheckOutcome::fail:
-      return "fail";
-    case CheckOutcome::not_supported:
-      return "not supported";
-  }
-  return "";
-}
 
 std::size_t ProtocolExamination::count(CheckOutcome outcome) const {
   return static_cast<std::size_t>(

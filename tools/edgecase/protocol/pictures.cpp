@@ -13,7 +13,8 @@ namespace edgecase {
 
 namespace {
 
-// Any rule of rasterization stays closer than that to a primitive's vertices, pixels.
+// In pixels: no rule of rasterization draws farther than this from the box of a primitive's
+// vertices.
 constexpr int kReach = 2;
 
 bool lies_near(const Fragment& fragment, const ScenePrimitive& primitive) {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/counted.h"
+#include "model/text.h"
 
 namespace edgecase {
 
@@ -46,7 +46,7 @@ std::string examinations_json(
                            {"not_supported", examination.count(CheckOutcome::not_supported)}}}});
   }
   const Json document = {{"renderers", renderers}};
-  // What a program said need not be UTF-8.
+  // A program's output need not be UTF-8.
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// An examination of a program's protocol, for people and for programs.
+// An examination of a program's protocol, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace edgecase {
 
-// The renderer's name, a line for each check, finding and remedy below those that fail, and a line
-// that counts them.
+// The renderer's name, a line for each check, with finding and remedy below those that fail, and a
+// line with the counts.
 std::string examination_text(const std::string& renderer, const ProtocolExamination& examination);
 
 // {"renderers": [{"name", "started", "checks": [{"number", "name", "outcome", "finding",

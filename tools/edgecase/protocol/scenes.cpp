@@ -40,7 +40,7 @@ Scene with(std::vector<Draw> draws) {
   return scene;
 }
 
-// Two halves, the first one nearer and red, the second green; the nearer one is to stay.
+// Two halves: the first one is nearer and red, the second green; the nearer one must remain.
 Scene depth_scene() {
   Scene scene = with({half_of_it(kRed), half_of_it(kGreen)});
   scene.target.depth = DepthFormat::depth24;
@@ -49,7 +49,7 @@ Scene depth_scene() {
   return scene;
 }
 
-// Nothing passes.
+// No fragment passes the test.
 Scene stencil_scene() {
   Scene scene = with({half_of_it(kRed)});
   scene.target.stencil = StencilFormat::stencil8;
@@ -79,7 +79,7 @@ Scene texture_scene() {
   return scene;
 }
 
-// The destination stays as it is.
+// The destination is unchanged.
 Scene blending_scene() {
   Scene scene = with({half_of_it(kRed)});
   const BlendTerm keep = {BlendEquation::add, BlendFactor::zero, BlendFactor::one};
@@ -171,14 +171,14 @@ Scene scene_of(Primitive primitive) {
   Draw draw;
   draw.primitive = primitive;
   draw.point_size = Fixed::from_integer(1);
-  // A turn round the target's middle, in an order that strips and fans can be made of, too.
+  // Vertices around the target's middle, in an order that also suits strips and fans.
   const int corners[][2] = {{2, 3}, {13, 2}, {3, 13}, {14, 14}, {7, 15}, {1, 9}};
   int count = 4;
   if (kind_of(primitive) == PrimitiveKind::triangle && primitive != Primitive::triangle_strip &&
       primitive != Primitive::triangle_fan)
     count = 6;
   for (int i = 0; i < count; ++i) {
-    // Off the pixels' boundaries, where a point might fall to either side.
+    // Off the pixels' boundaries, where a point could belong to either side.
     Vertex vertex = at(corners[i][0], corners[i][1]);
     const Fixed off = Fixed::from_raw(Fixed::kOne * 3 / 8);
     vertex.position = {vertex.position.x + off, vertex.position.y + off};

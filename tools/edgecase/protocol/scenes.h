@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The scenes by which a program's protocol is examined. They ask how it answers, never how it
-// rasterizes: where a scene says what a pixel shows, that pixel lies far from every edge, and its
-// colour is the same by any rule.
+// The scenes for examining a program's protocol. They test its answers, not its rasterization: a
+// pixel with a required colour lies far from every edge, so that any rule gives the same.
 #pragma once
 
 #include <string>
@@ -12,20 +11,20 @@
 
 namespace edgecase {
 
-// Nothing drawn, on red.
+// A red target without draws.
 Scene empty_scene(int width, int height);
 
-// Two primitives or more of one type, each larger than a pixel, white on black.
+// At least two primitives of one type, each larger than a pixel, white on black.
 Scene scene_of(Primitive primitive);
 
-// Triangles, lines and points without extent, over and over, and others that cross the target.
+// Many triangles, lines and points without extent, and others that cross the target.
 Scene scene_without_extent();
 
-// A scene that asks for something a program may lack.
+// A scene with an optional feature.
 struct FeatureScene {
   std::string name;  // "a depth buffer"
   Scene scene;
-  // A pixel, and the red, green and blue that it shows, each to within `reach` of 0 to 255.
+  // A pixel, and its red, green and blue, 0 to 255, each to within `reach`.
   int x = 0;
   int y = 0;
   int color[3] = {0, 0, 0};

@@ -12,9 +12,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// More than any scene of the examination needs.
+// In bytes: more than any scene of the examination needs.
 constexpr std::size_t kLongestAnswer = std::size_t{1} << 26;
-// Beside its patience, for a program that has just been started.
+// Added to the patience for a program that has just been started.
 constexpr milliseconds kStartUp{20'000};
 constexpr std::size_t kLongestQuote = 200;
 

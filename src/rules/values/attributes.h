@@ -1,5 +1,44 @@
 // SPDX-License-Identifier: MIT
 //
+// Flat and smooth attributes, and depth: a policy's choices. The arithmetic of interpolation is in
+// rules/values/interpolation.h.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "model/scene.h"
+#include "rules/rule.h"
+#include "rules/values/interpolation.h"
+
+namespace edgecase {
+
+// Essay: Flat attributes
+//
+// Flat attributes and the provoking vertex (GL 4.6 core, flat shading in chapter 13).
+//
+// A flat attribute takes the value of one vertex of the primitive, the provoking vertex. That is
+// the last vertex by default, and the first where the scene asks for it. Nothing is computed, so
+// the value must arrive unchanged.
+
+Rule flat_attribute_rule();
+Rule provoking_vertex_rule();
+
+enum class ProvokingChoice { as_set, first, last };
+template <>
+inline constexpr auto kNames<ProvokingChoice> = std::to_array<TabledAlternative<ProvokingChoice>>(
+    {{ProvokingChoice::as_set, "as-set", Openness::mandated,
+      "the vertex that the scene's convention names"},
+     {ProvokingChoice::first, "first", Openness::illegal,
+      "the first vertex, whatever the scene says"},
+     {ProvokingChoice::last, "last", Openness::illegal,
+      "the last vertex, whatever the scene says"}});
+
+// The index of the provoking vertex, 0 to vertices_of(kind) - 1.
+std::size_t provoking_index(const ScenePrimitive& primitive, ProvokingChoice choice);
+
+// Essay: Interpolation
+//
 // Smooth attributes and depth: a policy's choices for interpolation (GL 4.6 core, 14.5.1 and
 // 14.6.1). The arithmetic is in rules/values/interpolation.h.
 //
@@ -14,15 +53,6 @@
 //   gl_FragCoord.w          sum of share / w
 //
 // Where all w are equal, the first two agree. Exact rounds once, at the end.
-#pragma once
-
-#include <span>
-
-#include "model/scene.h"
-#include "rules/rule.h"
-#include "rules/values/interpolation.h"
-
-namespace edgecase {
 
 Rule smooth_attribute_rule();      // attribute.smooth: along a line, by which parameter
 Rule perspective_rule();           // attribute.perspective

@@ -1,14 +1,31 @@
 // SPDX-License-Identifier: MIT
 //
-// A digest by which texts can be compared without keeping them: FNV-1a of 64 bits. It guards
-// against mistakes, not against attacks.
+// Short texts: counts with their nouns, and digests of other texts.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace edgecase {
+
+// Numbers with their nouns, as text for people.
+
+// Digits in groups of three: "30,718".
+inline std::string grouped(std::size_t count) {
+  std::string text = std::to_string(count);
+  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, 1, ',');
+  return text;
+}
+
+// "1 case", "30,718 cases".
+inline std::string counted(std::size_t count, const char* one, const char* several) {
+  return grouped(count) + " " + (count == 1 ? one : several);
+}
+
+// A digest by which texts can be compared without keeping them: FNV-1a of 64 bits. It guards
+// against mistakes, not against attacks.
 
 class Digest {
  public:
