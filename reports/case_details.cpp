@@ -210,7 +210,7 @@ Json outcome_json(const Judgement& answer) {
   return {{"verdict", name_of(answer.verdict)}, {"fingerprint", answer.fingerprint}};
 }
 
-Json result_json(const KnownResult& result, std::size_t answer) {
+Json result_json(const Result& result, std::size_t answer) {
   Json json = {{"standing_reason", result.standing_reason}, {"answer", answer}};
   if (!result.faults.empty()) json["faults"] = result.faults;
   if (result.again) json["again"] = outcome_json(*result.again);
@@ -223,7 +223,7 @@ Json result_json(const KnownResult& result, std::size_t answer) {
 void add_results(Json& json, const CaseResults& one) {
   Json answers = Json::array();
   Json results = Json::array();
-  for (const KnownResult& result : one.results) {
+  for (const Result& result : one.results) {
     Json answer = answer_json(one, result);
     const auto found = std::find(answers.begin(), answers.end(), answer);
     const auto index = static_cast<std::size_t>(found - answers.begin());

@@ -72,10 +72,9 @@ void write_renderer(std::span<const Cluster> clusters, const RendererInfo& rende
 }  // namespace
 
 void write_clusters(const Results& results, const Painter& paint, std::ostream& out) {
-  for (std::size_t r = 0; r < results.renderers.size(); ++r) {
-    const std::vector<Cluster> clusters = clusters_of(results, r);
-    write_renderer(clusters, results.renderers[r], results.policy, paint, out);
-  }
+  const auto clusters = clusters_of(results);
+  for (std::size_t r = 0; r < results.renderers.size(); ++r)
+    write_renderer(clusters[r], results.renderers[r], results.policy, paint, out);
 }
 
 }  // namespace edgecase

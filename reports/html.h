@@ -52,6 +52,8 @@ struct ReportTexts {
   // cause is open.
   std::function<bool(const Cause& cause)> is_open_choice;
   ReportProfiles profiles;
+  // The text of a case's file, or empty where it cannot be shown. Unset: no text is.
+  std::function<std::string(const CaseResults& one)> source_of;
   std::optional<Comparison> since;  // from earlier results to these
 };
 

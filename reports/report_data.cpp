@@ -90,13 +90,13 @@ class Blocks {
 std::vector<std::size_t> worth_a_look(const Results& results) {
   std::vector<std::size_t> order(results.cases.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::erase_if(order, [&](std::size_t i) { return !has_details(results.cases[i]); });
+  std::erase_if(order, [&](std::size_t i) { return !has_details(results.cases.outline(i)); });
   const auto worth = [&](std::size_t i) {
     bool unexpected = false;
     Verdict worst = Verdict::agree;
-    for (const KnownResult& result : results.cases[i].results) {
-      unexpected = unexpected || is_unexpected(result.standing);
-      if (result.verdict != Verdict::not_run) worst = std::max(worst, result.verdict);
+    for (const ResultOutline& answer : results.cases.outline(i).answers) {
+      unexpected = unexpected || is_unexpected(answer.standing);
+      if (answer.verdict != Verdict::not_run) worst = std::max(worst, answer.verdict);
     }
     return std::pair(unexpected, worst);
   };
@@ -113,10 +113,14 @@ ReportData report_data(const Results& results, const ReportTexts& texts, std::si
   lines.of_case.assign(results.cases.size(), -1);
   lines.of_head.assign(heads.first_case.size(), -1);
   Blocks blocks(most);
+  // A head without a text is asked once.
+  std::vector<bool> is_asked(heads.first_case.size());
   const auto add_source = [&](std::size_t i) {
-    long& line = lines.of_head[heads.of_case[i]];
-    if (line < 0 && !results.cases[i].source->empty())
-      line = blocks.add([&] { return dump(*results.cases[i].source); });
+    const std::size_t head = heads.of_case[i];
+    if (is_asked[head]) return;
+    is_asked[head] = true;
+    const std::string text = texts.source_of ? texts.source_of(results.cases[i]) : "";
+    if (!text.empty()) lines.of_head[head] = blocks.add([&] { return dump(text); });
   };
   for (const std::size_t i : worth_a_look(results)) {
     add_source(i);

@@ -89,7 +89,7 @@ Json head_json(const CaseResults& one, Names& rules, long line) {
   return json;
 }
 
-Json outcome_json(const KnownResult& result, const Findings& findings, Names& rules) {
+Json outcome_json(const Result& result, const Findings& findings, Names& rules) {
   Json found = Json::array();
   for (const auto& [rule, verdict] : findings) {
     found.push_back(rules.number(rule));
@@ -118,13 +118,79 @@ Json order_of(const Results& results) {
   Json order = Json::array();
   std::set<std::size_t> seen;
   for (const AnswerPlace& place : worst_first(
-           results, [](const KnownResult& result) { return result.verdict != Verdict::agree; }))
+           results, [](const ResultOutline& answer) { return answer.verdict != Verdict::agree; }))
     if (seen.insert(place.one).second) order.push_back(place.one);
   return order;
 }
 
+// The values of one attribute over all cases.
+struct ValueSum {
+  std::uint64_t compared = 0;
+  std::uint64_t differing = 0;
+  std::map<int, std::uint64_t> histogram;
+};
+
+// What the answers of one renderer come to, over all cases.
+class RendererSums {
+ public:
+  void add(const CaseResults& one, const Result& result) {
+    clusters_.add(one, result);
+    for (const ValueAggregate& values : result.values) {
+      ValueSum& sum = values_[values.attribute];
+      sum.compared += values.compared;
+      sum.differing += values.differing.size();
+      for (const auto& [exponent, count] : values.ulp_histogram) sum.histogram[exponent] += count;
+    }
+    if (one.id.starts_with(kScenes) && !result.failure) add_scene(result.pixel_counts);
+  }
+
+  std::vector<Cluster> take_clusters() { return clusters_.take(); }
+  Json values() const;
+  Json scenes() const;
+
+ private:
+  void add_scene(const PixelCounts& counts) {
+    ++drawn_;
+    scenes_.agree += counts.agree;
+    scenes_.convention += counts.convention;
+    scenes_.permitted += counts.permitted;
+    scenes_.contested += counts.contested;
+    scenes_.violation += counts.violation;
+    scenes_.same += counts.same;
+  }
+
+  ClusterGatherer clusters_;
+  std::map<std::string, ValueSum> values_;
+  std::size_t drawn_ = 0;  // whole scenes
+  PixelCounts scenes_;
+};
+
+Json RendererSums::values() const {
+  Json list = Json::array();
+  for (const auto& [attribute, sum] : values_) {
+    Json bins = Json::array();
+    for (const auto& [exponent, count] : sum.histogram) bins.push_back({exponent, count});
+    list.push_back({{"attribute", attribute},
+                    {"compared", sum.compared},
+                    {"differing", sum.differing},
+                    {"histogram", std::move(bins)}});
+  }
+  return list;
+}
+
+Json RendererSums::scenes() const {
+  return {{"drawn", drawn_},
+          {"agree", scenes_.agree},
+          {"convention", scenes_.convention},
+          {"permitted", scenes_.permitted},
+          {"contested", scenes_.contested},
+          {"violation", scenes_.violation},
+          {"same", scenes_.same}};
+}
+
+// Adds the cases, and sums up what the renderers answered to them.
 void add_cases(Json& json, const Results& results, const ReportTexts& texts, const CaseHeads& heads,
-               const DetailLines& lines) {
+               const DetailLines& lines, std::vector<RendererSums>& sums) {
   Names rules;
   Outcomes outcomes;
   Json head_list = Json::array();
@@ -134,16 +200,17 @@ void add_cases(Json& json, const Results& results, const ReportTexts& texts, con
   Json cases = Json::array();
   Json untrue = Json::array();
   for (std::size_t i = 0; i < results.cases.size(); ++i) {
-    const CaseResults& one = results.cases[i];
+    const CaseResults one = results.cases[i];
     Json numbers = Json::array();
-    for (const KnownResult& result : one.results)
+    for (std::size_t r = 0; r < one.results.size(); ++r) {
+      const Result& result = one.results[r];
       numbers.push_back(outcomes.number(outcome_json(result, findings_of(result), rules)));
+      if (r < sums.size()) sums[r].add(one, result);
+    }
     Json row = {heads.of_case[i], one.id.substr(stem_of(one.id).size()), one.fragments,
                 std::move(numbers)};
     if (lines.of_case[i] >= 0) row.push_back(lines.of_case[i]);
-    if (std::any_of(one.results.begin(), one.results.end(),
-                    [](const Result& result) { return !result.ramp.empty(); }))
-      row.push_back(1);
+    if (results.cases.outline(i).has_ramp) row.push_back(1);
     cases.push_back(std::move(row));
     if (!one.expect_failures.empty()) untrue.push_back({i, one.expect_failures});
   }
@@ -157,11 +224,10 @@ void add_cases(Json& json, const Results& results, const ReportTexts& texts, con
 
 // The number, counted from 1, of a cluster's first disagreement in its smallest case; 0: none.
 std::size_t place_of(const Results& results, std::size_t renderer, const Cluster& cluster) {
-  const auto one =
-      std::lower_bound(results.cases.begin(), results.cases.end(), cluster.smallest_case,
-                       [](const CaseResults& a, const std::string& id) { return a.id < id; });
-  if (one == results.cases.end() || one->id != cluster.smallest_case) return 0;
-  const auto list = worst_first(one->results[renderer]);  // as case_details lists them
+  const auto at = results.cases.find(cluster.smallest_case);
+  if (!at) return 0;
+  const CaseResults one = results.cases[*at];
+  const auto list = worst_first(one.results[renderer]);  // as case_details lists them
   const auto found = std::ranges::find_if(list, [&](const Disagreement* d) {
     return d->x == cluster.x && d->y == cluster.y && text_of(d->cause) == cluster.cause &&
            d->legality == cluster.legality &&
@@ -185,58 +251,6 @@ Json cluster_json(const Cluster& cluster, std::size_t at) {
   return json;
 }
 
-// The values of one attribute over all cases.
-struct ValueSum {
-  std::uint64_t compared = 0;
-  std::uint64_t differing = 0;
-  std::map<int, std::uint64_t> histogram;
-};
-
-Json values_json(const Results& results, std::size_t renderer) {
-  std::map<std::string, ValueSum> sums;
-  for (const CaseResults& one : results.cases)
-    for (const ValueAggregate& values : one.results[renderer].values) {
-      ValueSum& sum = sums[values.attribute];
-      sum.compared += values.compared;
-      sum.differing += values.differing.size();
-      for (const auto& [exponent, count] : values.ulp_histogram) sum.histogram[exponent] += count;
-    }
-  Json list = Json::array();
-  for (const auto& [attribute, sum] : sums) {
-    Json bins = Json::array();
-    for (const auto& [exponent, count] : sum.histogram) bins.push_back({exponent, count});
-    list.push_back({{"attribute", attribute},
-                    {"compared", sum.compared},
-                    {"differing", sum.differing},
-                    {"histogram", std::move(bins)}});
-  }
-  return list;
-}
-
-Json scenes_json(const Results& results, std::size_t renderer) {
-  std::size_t drawn = 0;
-  PixelCounts all;
-  for (const CaseResults& one : results.cases) {
-    const KnownResult& result = one.results[renderer];
-    if (!one.id.starts_with(kScenes) || result.failure) continue;
-    const PixelCounts& counts = result.pixel_counts;
-    ++drawn;
-    all.agree += counts.agree;
-    all.convention += counts.convention;
-    all.permitted += counts.permitted;
-    all.contested += counts.contested;
-    all.violation += counts.violation;
-    all.same += counts.same;
-  }
-  return {{"drawn", drawn},
-          {"agree", all.agree},
-          {"convention", all.convention},
-          {"permitted", all.permitted},
-          {"contested", all.contested},
-          {"violation", all.violation},
-          {"same", all.same}};
-}
-
 Json choices_json(const ReportTexts& texts, const std::string& renderer) {
   Json json = Json::object();
   const auto found = texts.profiles.find(renderer);
@@ -246,10 +260,11 @@ Json choices_json(const ReportTexts& texts, const std::string& renderer) {
   return json;
 }
 
-Json renderer_json(const Results& results, const ReportTexts& texts, std::size_t index) {
+Json renderer_json(const Results& results, const ReportTexts& texts, std::size_t index,
+                   RendererSums& sums) {
   const RendererInfo& info = results.renderers[index];
   Json clusters = Json::array();
-  for (const Cluster& cluster : clusters_of(results, index))
+  for (const Cluster& cluster : sums.take_clusters())
     clusters.push_back(cluster_json(cluster, place_of(results, index, cluster)));
   return {{"name", info.name},
           {"vendor", info.vendor},
@@ -258,8 +273,8 @@ Json renderer_json(const Results& results, const ReportTexts& texts, std::size_t
           {"traits", info.traits},
           {"subpixel_bits", info.subpixel_bits},
           {"clusters", std::move(clusters)},
-          {"values", values_json(results, index)},
-          {"scenes", scenes_json(results, index)},
+          {"values", sums.values()},
+          {"scenes", sums.scenes()},
           {"profile", choices_json(texts, info.name)}};
 }
 
@@ -297,19 +312,24 @@ void add_problems(Json& json, const Results& results) {
 }  // namespace
 
 CaseHeads heads_of(const Results& results) {
-  const auto before = [&](std::size_t a, std::size_t b) {
-    const CaseResults& one = results.cases[a];
-    const CaseResults& other = results.cases[b];
-    const auto key = [](const CaseResults& c) {
-      return std::tie(c.title, c.why, c.file, c.surface, c.width, c.height, c.rules, c.tags, c.spec,
-                      c.origin);
-    };
-    return std::pair(stem_of(one.id), key(one)) < std::pair(stem_of(other.id), key(other));
-  };
   CaseHeads heads;
-  std::map<std::size_t, std::size_t, decltype(before)> numbers(before);
+  // By what their cases share.
+  std::map<std::vector<std::string>, std::size_t> numbers;
   for (std::size_t i = 0; i < results.cases.size(); ++i) {
-    const auto [found, is_new] = numbers.try_emplace(i, heads.first_case.size());
+    const CaseResults one = results.cases[i];
+    std::vector<std::string> shared = {std::string(stem_of(one.id)),
+                                       one.title,
+                                       one.why,
+                                       one.file,
+                                       one.surface,
+                                       std::to_string(one.width),
+                                       std::to_string(one.height),
+                                       one.spec,
+                                       one.origin};
+    shared.insert(shared.end(), one.rules.begin(), one.rules.end());
+    shared.emplace_back();
+    shared.insert(shared.end(), one.tags.begin(), one.tags.end());
+    const auto [found, is_new] = numbers.try_emplace(std::move(shared), heads.first_case.size());
     if (is_new) heads.first_case.push_back(i);
     heads.of_case.push_back(found->second);
   }
@@ -323,11 +343,12 @@ Json report_index(const Results& results, const ReportTexts& texts, const CaseHe
                {"interrupted", results.interrupted},
                {"left_out", results.left_out},
                {"renderers", Json::array()}};
-  for (std::size_t i = 0; i < results.renderers.size(); ++i)
-    json["renderers"].push_back(renderer_json(results, texts, i));
   add_texts(json, texts);
   add_problems(json, results);
-  add_cases(json, results, texts, heads, lines);
+  std::vector<RendererSums> sums(results.renderers.size());
+  add_cases(json, results, texts, heads, lines, sums);
+  for (std::size_t i = 0; i < results.renderers.size(); ++i)
+    json["renderers"].push_back(renderer_json(results, texts, i, sums[i]));
   if (texts.since) json["since"] = Json::parse(comparison_json(*texts.since));
   return json;
 }

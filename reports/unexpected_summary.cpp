@@ -64,7 +64,7 @@ bool comes_before(const UnexpectedGroup& a, const UnexpectedGroup& b) {
 }
 
 // Where to look, and what is there: a sentence.
-std::string evidence_of(const CaseResults& one, const KnownResult& result) {
+std::string evidence_of(const CaseResults& one, const Result& result) {
   if (result.standing == Standing::flake) return result.standing_reason;
   if (const Disagreement* d = leading(result))
     return fmt::format("{}: {}", place_of(*d, one.samples.samples), d->explanation);
@@ -80,8 +80,8 @@ std::string command_for(const CaseResults& one, const Result& result, const Rend
 
 void write_group(const UnexpectedGroup& group, const Results& results, const Painter& paint,
                  std::ostream& out) {
-  const CaseResults& one = *group.simplest;
-  const KnownResult& result = one.results[group.renderer];
+  const CaseResults one = results.cases[group.simplest];
+  const Result& result = one.results[group.renderer];
   const RendererInfo info = group.renderer < results.renderers.size()
                                 ? results.renderers[group.renderer]
                                 : RendererInfo();
@@ -96,22 +96,34 @@ void write_group(const UnexpectedGroup& group, const Results& results, const Pai
   out << "    " << command_for(one, result, info, results.policy) << '\n';
 }
 
+bool is_counted(const ResultOutline& answer) {
+  return is_unexpected(answer.standing);
+}
+
 }  // namespace
 
 std::vector<UnexpectedGroup> unexpected_groups(const Results& results) {
   using Key = std::tuple<std::size_t, Standing, Verdict, bool, std::string>;
   std::map<Key, UnexpectedGroup> groups;
-  for (const CaseResults& one : results.cases)
+  std::map<Key, CaseSize> sizes;  // of the simplest
+  for (std::size_t i = 0; i < results.cases.size(); ++i) {
+    if (std::ranges::none_of(results.cases.outline(i).answers, is_counted)) continue;
+    const CaseResults one = results.cases[i];
     for (std::size_t r = 0; r < one.results.size(); ++r) {
-      const KnownResult& result = one.results[r];
-      if (!is_unexpected(result.standing)) continue;
+      const Result& result = one.results[r];
+      if (!is_counted(result)) continue;
       const bool partly = !result.faults.empty();
       const std::string cause = cause_of(one, result);
-      UnexpectedGroup& group = groups[{r, result.standing, result.verdict, partly, cause}];
-      if (group.cases == 0) group = {r, result.standing, result.verdict, partly, cause, 0, &one};
+      const Key key(r, result.standing, result.verdict, partly, cause);
+      UnexpectedGroup& group = groups[key];
+      if (group.cases == 0) group = {r, result.standing, result.verdict, partly, cause, 0, i};
       ++group.cases;
-      if (is_simpler(one, *group.simplest)) group.simplest = &one;
+      const auto [smallest, is_first] = sizes.try_emplace(key, one);
+      if (is_first || !(CaseSize(one) < smallest->second)) continue;
+      smallest->second = CaseSize(one);
+      group.simplest = i;
     }
+  }
   std::vector<UnexpectedGroup> sorted;
   for (auto& [key, group] : groups) sorted.push_back(std::move(group));
   std::ranges::sort(sorted, comes_before);
@@ -120,16 +132,16 @@ std::vector<UnexpectedGroup> unexpected_groups(const Results& results) {
 
 std::size_t count_unexpected(const Results& results) {
   std::size_t count = 0;
-  for (const CaseResults& one : results.cases)
-    count += static_cast<std::size_t>(std::ranges::count_if(
-        one.results, [](const KnownResult& result) { return is_unexpected(result.standing); }));
+  for (const CaseOutline& one : results.cases.outlines())
+    count += static_cast<std::size_t>(std::ranges::count_if(one.answers, is_counted));
   return count;
 }
 
 std::size_t count_unexpected(const Results& results, std::size_t renderer) {
-  return static_cast<std::size_t>(std::ranges::count_if(results.cases, [&](const CaseResults& one) {
-    return renderer < one.results.size() && is_unexpected(one.results[renderer].standing);
-  }));
+  const auto stands_out = [&](const CaseOutline& one) {
+    return renderer < one.answers.size() && is_counted(one.answers[renderer]);
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(results.cases.outlines(), stands_out));
 }
 
 void write_unexpected(const Results& results, const Painter& paint, std::ostream& out) {

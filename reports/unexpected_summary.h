@@ -23,11 +23,11 @@ struct UnexpectedGroup {
   // nothing differs.
   std::string cause;
   std::size_t cases = 0;
-  const CaseResults* simplest = nullptr;  // by is_simpler(), never null
+  std::size_t simplest = 0;  // the least CaseSize: index in Results::cases
 };
 
 // Violations first, then answers that did not come, then the rest by verdict; within each the
-// groups of most cases first, ties by cause and renderer. Points into `results`.
+// groups of most cases first, ties by cause and renderer.
 std::vector<UnexpectedGroup> unexpected_groups(const Results& results);
 
 // Answers that are not as expected, flakes included.

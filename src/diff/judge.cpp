@@ -28,38 +28,20 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// The snap under which most cases are legal; of several, the first in catalogue order.
-std::string choose_line_reading(std::span<Result* const> results) {
-  std::string best;
-  std::ptrdiff_t most = -1;
-  for (Snap snap : all_snaps()) {
-    const std::string name = name_of(snap);
-    const auto legal = std::count_if(results.begin(), results.end(), [&](const Result* result) {
-      return !result->failure && !contains(result->illegal_line_snaps, name);
-    });
-    if (legal <= most) continue;
-    most = legal;
-    best = name;
-  }
-  return best;
-}
-
 using Counts = std::map<AlternativeId, std::ptrdiff_t>;
 
-// Fills RunReading::alternatives and refuted. A primitive of several passes counts once.
-void read_alternatives(std::span<Result* const> results, RunReading& reading) {
+// Adds to RunReading::alternatives and refuted. A primitive of several passes counts once.
+void read_alternatives(const Result& result, RunReading& reading) {
   Counts& counts = reading.alternatives;
-  for (const Result* result : results) {
-    std::set<std::pair<int, AlternativeId>> helpful;
-    for (const Result::Evidence& evidence : result->evidence)
-      for (const Cause& cause : evidence.causes)
-        for (const AlternativeId part : cause.parts) helpful.emplace(evidence.primitive, part);
-    for (const auto& [primitive, part] : helpful) ++counts[part];
-    result->refuted.for_each([&](AlternativeId id) {
-      --counts[id];
-      reading.refuted.add(id);
-    });
-  }
+  std::set<std::pair<int, AlternativeId>> helpful;
+  for (const Result::Evidence& evidence : result.evidence)
+    for (const Cause& cause : evidence.causes)
+      for (const AlternativeId part : cause.parts) helpful.emplace(evidence.primitive, part);
+  for (const auto& [primitive, part] : helpful) ++counts[part];
+  result.refuted.for_each([&](AlternativeId id) {
+    --counts[id];
+    reading.refuted.add(id);
+  });
 }
 
 // An alternative that the run does not mention counts 0.
@@ -217,11 +199,34 @@ std::string fingerprint_of(const Result& result) {
 
 }  // namespace
 
-RunReading read_run(std::span<Result* const> results) {
-  RunReading reading;
-  reading.line_snap = choose_line_reading(results);
-  read_alternatives(results, reading);
+void RunReader::add(const Result& result) {
+  for (const Snap snap : all_snaps())
+    if (!result.failure && !contains(result.illegal_line_snaps, name_of(snap)))
+      ++legal_[name_of(snap)];
+  read_alternatives(result, reading_);
+}
+
+// Lines are read with the snap under which most cases are legal; of several, with the first in
+// catalogue order.
+RunReading RunReader::reading() const {
+  RunReading reading = reading_;
+  reading.line_snap.clear();
+  std::size_t most = 0;
+  for (const Snap snap : all_snaps()) {
+    const std::string name = name_of(snap);
+    const auto found = legal_.find(name);
+    const std::size_t legal = found == legal_.end() ? 0 : found->second;
+    if (!reading.line_snap.empty() && legal <= most) continue;
+    most = legal;
+    reading.line_snap = name;
+  }
   return reading;
+}
+
+RunReading read_run(std::span<Result* const> results) {
+  RunReader reader;
+  for (const Result* result : results) reader.add(*result);
+  return reader.reading();
 }
 
 void judge(std::span<Result* const> results, Latitude latitude, const RunReading& reading) {

@@ -33,8 +33,19 @@ struct RunReading {
   AlternativeSet refuted;  // alternatives that some case refutes
 };
 
-// Reads all results of one renderer on one surface, which compare() has made. Results without a
-// rendering add nothing. Results that are judged already give the same reading.
+// Reads all results of one renderer on one surface, which compare() has made, one after the other.
+// Results without a rendering add nothing. Results that are judged already give the same reading.
+class RunReader {
+ public:
+  void add(const Result& result);
+  RunReading reading() const;
+
+ private:
+  std::map<std::string, std::size_t> legal_;  // by snap: cases whose lines are legal under it
+  RunReading reading_;
+};
+
+// The same of a list.
 RunReading read_run(std::span<Result* const> results);
 
 // Fills legality (of lines, and by the basis of rulings), cause, ruling, verdict and fingerprint of

@@ -55,8 +55,32 @@ struct PixelCounts {
   friend bool operator==(const PixelCounts&, const PixelCounts&) = default;
 };
 
+// What judging makes of an answer. Two answers that are equal in this show the same.
+struct Judgement {
+  Verdict verdict = Verdict::agree;
+  std::string fingerprint;
+  friend bool operator==(const Judgement&, const Judgement&) = default;
+};
+
+// One renderer's answer to one case, without what was found in it.
+struct ResultOutline {
+  Verdict verdict = Verdict::not_run;
+  std::optional<Failure> failure;  // set exactly when the verdict is not-run
+  std::string fingerprint;         // of rule, kind and pixel set; empty if nothing differs
+  Standing standing = Standing::expected;
+  // The reasons of the known faults, or why it is unexpected or tolerated.
+  std::string standing_reason;
+  std::vector<std::string> faults;  // ids of the known faults that account for something in it
+  // Of an unexpected answer that was asked for a second time, what came then, where it was another.
+  std::optional<Judgement> again;
+};
+
+inline Judgement judgement_of(const ResultOutline& answer) {
+  return {answer.verdict, answer.fingerprint};
+}
+
 // One renderer's answer to one case, compared.
-struct Result {
+struct Result : ResultOutline {
   // Which alternatives reproduce a primitive as the renderer drew it, smallest sets first.
   struct Evidence {
     int primitive = 0;  // -1: all of them, if the answer is upside down (diff/upside_down.h)
@@ -84,9 +108,6 @@ struct Result {
     int pass = -1;  // index if the scene is supersampled; otherwise -1
   };
 
-  Verdict verdict = Verdict::not_run;
-  std::optional<Failure> failure;           // set exactly when the verdict is not-run
-  std::string fingerprint;                  // of rule, kind and pixel set; empty if nothing differs
   std::vector<Disagreement> disagreements;  // complete, sorted by pixel, primitive, kind
   std::vector<ValueAggregate> values;
   std::vector<Evidence> evidence;               // of the primitives that have a disagreement
@@ -106,9 +127,6 @@ struct Result {
   Shared<PackedWords> exact_pixels;
   SampleImage samples;        // the renderer's, if the case is multisampled
   SampleImage exact_samples;  // exact's, if exact_pixels is set
-  Standing standing = Standing::expected;
-  std::string
-      standing_reason;  // the reasons of the known faults, or why it is unexpected or tolerated
 };
 
 }  // namespace edgecase

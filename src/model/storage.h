@@ -65,6 +65,16 @@ class PackedWords {
   // The size in memory, in words.
   std::size_t kept() const { return kept_.size(); }
 
+  // Reads or writes it as it is kept (wire/binary.h).
+  template <class Io>
+  friend void carry(Io& io, PackedWords& words) {
+    carry_all(io, words.size_, words.kept_);
+  }
+  template <class Io>
+  friend void carry(Io& io, const PackedWords& words) {
+    carry_all(io, words.size_, words.kept_);
+  }
+
   // Equal lists are packed in the same way.
   friend bool operator==(const PackedWords&, const PackedWords&) = default;
 

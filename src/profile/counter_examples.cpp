@@ -39,9 +39,7 @@ CounterExamples::CounterExamples(Policy policy, Surface surface, int reported_su
       surface_(surface),
       bits_(latitude_bits(reported_subpixel_bits)),
       choices_(resolve(policy_, surface)),
-      standard_(resolve(Policy{}, surface)) {
-  kept_.renderers.resize(1);
-}
+      standard_(resolve(Policy{}, surface)) {}
 
 bool CounterExamples::add(const Observation& observation) {
   const Scene& scene = observation.scene;
@@ -66,20 +64,22 @@ bool CounterExamples::add(const Observation& observation) {
   one.height = scene.target.height;
   one.figure = scene_figure(scene);
   one.results.push_back(std::move(result));
-  kept_.cases.push_back(std::move(one));
+  kept_.push_back(std::move(one));
   scenes_.emplace(observation.id, scene);
   return follows;
 }
 
 std::vector<ProfileCluster> CounterExamples::clusters() {
   std::vector<Result*> results;
-  for (CaseResults& one : kept_.cases) results.push_back(&one.results.front());
+  for (CaseResults& one : kept_) results.push_back(&one.results.front());
   judge(results, Latitude::opengl);
   illegal_scenes_ = static_cast<std::size_t>(
       std::count_if(results.begin(), results.end(),
                     [](const Result* result) { return result->verdict == Verdict::violation; }));
   std::vector<ProfileCluster> found;
-  for (Cluster& cluster : clusters_of(kept_, 0)) {
+  ClusterGatherer gatherer;
+  for (const CaseResults& one : kept_) gatherer.add(one, one.results.front());
+  for (Cluster& cluster : gatherer.take()) {
     Scene smallest = scenes_.at(cluster.smallest_case);
     found.push_back({std::move(cluster), std::move(smallest)});
   }

@@ -38,7 +38,7 @@ class CounterExamples {
   int bits_;
   RuleChoices choices_;
   RuleChoices standard_;
-  Results kept_;
+  std::vector<CaseResults> kept_;
   std::map<std::string, Scene> scenes_;  // by id
   std::size_t illegal_scenes_ = 0;
 };

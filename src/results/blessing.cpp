@@ -33,7 +33,7 @@ struct Gathered {
   std::set<std::string> surfaces;
   std::set<std::string> cases;  // ids
   std::set<std::string> files;  // of cases that show it and are not wanted
-  const Result* first = nullptr;
+  std::string reason;           // that the first of them gives
 };
 
 // The name of a case's file: "lines/short/ends" of "lines/short/ends:dx=1".
@@ -54,7 +54,7 @@ class Blessing {
         after_(current.faults.begin(), current.faults.end()) {}
 
   std::vector<FaultChange> operator()() {
-    for (const CaseResults& one : results_.cases) gather(one, one.results[index_]);
+    for (std::size_t i = 0; i < results_.cases.size(); ++i) gather(i);
     std::vector<KnownFault> added;
     for (const auto& [subject, gathered] : largest_first())
       if (!widen(subject, *gathered)) added.push_back(new_fault(subject, *gathered));
@@ -63,17 +63,19 @@ class Blessing {
   }
 
  private:
-  bool is_accounted(const CaseResults& one, const KnownResult& result,
-                    const Disagreement& d) const {
+  bool is_accounted(const CaseResults& one, const Result& result, const Disagreement& d) const {
     return std::ranges::any_of(faults_of(current_, info_), [&](const KnownFault* fault) {
       return accounts_for(*fault, one.id, one.surface, result, d);
     });
   }
 
-  void gather(const CaseResults& one, const KnownResult& result) {
-    if (result.standing != Standing::unexpected) return;
+  void gather(std::size_t at) {
+    const ResultOutline& answer = results_.cases.outline(at).answers[index_];
+    if (answer.standing != Standing::unexpected) return;
     // A renderer that could not be had says nothing of the driver.
-    if (result.failure && result.failure->kind == FailureKind::unavailable) return;
+    if (answer.failure && answer.failure->kind == FailureKind::unavailable) return;
+    const CaseResults one = results_.cases[at];
+    const Result& result = one.results[index_];
     if (result.failure) {
       const char* kind = name_of(result.failure->kind);
       add(one, result, {RuleId::none, "", kind}, kind);
@@ -89,14 +91,14 @@ class Blessing {
   }
 
   // Null where the case is not wanted.
-  Gathered* add(const CaseResults& one, const KnownResult& result, const Subject& subject,
+  Gathered* add(const CaseResults& one, const Result& result, const Subject& subject,
                 const char* kind) {
     Gathered& gathered = gathered_[subject];
     if (options_.is_wanted && !options_.is_wanted(one.id)) {
       gathered.files.insert(file_of(one.id));
       return nullptr;
     }
-    if (gathered.first == nullptr) gathered.first = &result;
+    if (gathered.cases.empty()) gathered.reason = reason_from(result);
     gathered.kinds.insert(kind);
     gathered.surfaces.insert(one.surface);
     gathered.cases.insert(one.id);
@@ -174,7 +176,7 @@ class Blessing {
     fault.cases = names_of(gathered);
     if (!release_.numbers.empty())
       fault.versions = VersionRange{release_.product, release_.numbers, {}};
-    fault.reason = options_.reason.empty() ? reason_from(*gathered.first) : options_.reason;
+    fault.reason = options_.reason.empty() ? gathered.reason : options_.reason;
     fault.link = options_.link;
     return fault;
   }
@@ -185,9 +187,12 @@ class Blessing {
     all.faults.insert(all.faults.end(), added.begin(), added.end());
     const auto faults = faults_of(all, info_);
     Counts counts;
-    for (const CaseResults& one : results_.cases)
+    for (std::size_t i = 0; i < results_.cases.size(); ++i) {
+      if (results_.cases.outline(i).answers[index_].verdict < Verdict::contested) continue;
+      const CaseResults one = results_.cases[i];
       for (const KnownFault* fault : faults_behind(one, one.results[index_], faults))
         ++counts[fault->id];
+    }
     const std::string release = text_of(release_);
     for (KnownFault& fault : added) fault.cases_on[release] = counts[fault.id];
     for (std::size_t i = 0; i < after_.size(); ++i) {

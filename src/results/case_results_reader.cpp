@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <concepts>
 #include <nlohmann/json.hpp>
@@ -177,7 +178,7 @@ Picture to_difference(const ReadJson& json, const CaseResults& one, const Pictur
 }
 
 // Who failed has drawn nothing; all others have drawn what exact did, unless told otherwise.
-void read_pictures(const ReadJson& json, const CaseResults& one, KnownResult& result) {
+void read_pictures(const ReadJson& json, const CaseResults& one, Result& result) {
   const auto to_own_samples = [&](const char* member, const SampleImage& from) {
     return json.contains(member) ? to_samples(json.at(member), one.width, one.height, from)
                                  : SampleImage();
@@ -196,7 +197,7 @@ Failure to_failure(const ReadJson& json) {
           json.at("reason")};
 }
 
-void read_judgement(const ReadJson& json, const CaseResults& one, KnownResult& result) {
+void read_judgement(const ReadJson& json, const CaseResults& one, Result& result) {
   result.verdict = to_enum(json.at("verdict"), Verdict::agree, Verdict::not_run);
   read_member(json, "fingerprint", result.fingerprint);
   read_member(json, "standing", result.standing, [](const ReadJson& standing) {
@@ -210,7 +211,7 @@ void read_judgement(const ReadJson& json, const CaseResults& one, KnownResult& r
   read_member(json, "pixel_counts", result.pixel_counts, to_pixel_counts);
 }
 
-void read_findings(const ReadJson& json, KnownResult& result) {
+void read_findings(const ReadJson& json, Result& result) {
   read_member(json, "disagreements", result.disagreements,
               [](const ReadJson& list) { return to_list<Disagreement>(list, to_disagreement); });
   read_member(json, "values", result.values,
@@ -225,8 +226,8 @@ void read_findings(const ReadJson& json, KnownResult& result) {
               [](const ReadJson& list) { return to_list<Result::LevelPoint>(list, to_level); });
 }
 
-KnownResult to_result(const ReadJson& json, const CaseResults& one) {
-  KnownResult result;
+Result to_result(const ReadJson& json, const CaseResults& one) {
+  Result result;
   read_judgement(json, one, result);
   read_findings(json, result);
   read_pictures(json, one, result);
@@ -260,11 +261,20 @@ CaseResults to_head(const ReadJson& json) {
   return head;
 }
 
-CaseResults to_case(const ReadJson& json, const CaseHeads& heads,
+void HeadsRead::keep_last_file() {
+  if (list.empty()) return;
+  const std::string& last = list.back()->file;
+  const auto kept = std::ranges::find(list, last, [](const auto& head) { return head->file; });
+  first += static_cast<std::size_t>(kept - list.begin());
+  list.erase(list.begin(), kept);
+}
+
+CaseResults to_case(const ReadJson& json, const HeadsRead& heads,
                     const std::vector<RendererInfo>& renderers) {
   const std::size_t head = WholeNumber(json.at("head"));
-  if (head >= heads.size()) throw std::runtime_error(fmt::format("there is no head {}", head));
-  CaseResults one = *heads[head];
+  if (head < heads.first || head - heads.first >= heads.list.size())
+    throw std::runtime_error(fmt::format("there is no head {} of this file", head));
+  CaseResults one = *heads.list[head - heads.first];
   one.id = json.at("case");
   one.fragments = WholeNumber(json.at("fragments"));
   read_member(json, "expect_failures", one.expect_failures);

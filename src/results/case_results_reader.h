@@ -17,9 +17,17 @@ namespace edgecase {
 // What a case shares with others; all else is as a new one has it.
 CaseResults to_head(const ReadJson& json);
 
+// Heads that cases may name: the last ones of the file.
+struct HeadsRead {
+  std::size_t first = 0;  // number of the first
+  std::vector<std::shared_ptr<const CaseResults>> list;
+
+  // Forgets all but those of the last head's case file, which stand together.
+  void keep_last_file();
+};
+
 // `renderers` are those of the file, in the order in which results are to stand.
-using CaseHeads = std::vector<std::shared_ptr<const CaseResults>>;
-CaseResults to_case(const ReadJson& json, const CaseHeads& heads,
+CaseResults to_case(const ReadJson& json, const HeadsRead& heads,
                     const std::vector<RendererInfo>& renderers);
 
 // Throws.

@@ -45,7 +45,7 @@ void write_pixel_counts(JsonWriter& json, const PixelCounts& counts) {
 class CaseWriter {
  public:
   CaseWriter(const CaseResults& one, std::string& text)
-      : one_(one), is_shown_(has_details(one)), json_(text) {}
+      : one_(one), is_shown_(has_details(outline_of(one))), json_(text) {}
 
   void write_case(std::size_t head, const std::vector<RendererInfo>& renderers) {
     json_.object([&] {
@@ -65,10 +65,10 @@ class CaseWriter {
 
  private:
   void write_exact();
-  void write_result(const KnownResult& result);
-  void write_judgement(const KnownResult& result);
-  void write_findings(const KnownResult& result);
-  void write_pictures(const KnownResult& result);
+  void write_result(const Result& result);
+  void write_judgement(const Result& result);
+  void write_findings(const Result& result);
+  void write_pictures(const Result& result);
   void write_picture(const char* name, const Picture& picture, const Picture& from);
 
   template <class Range, class Write>
@@ -88,7 +88,7 @@ void CaseWriter::write_exact() {
   if (!one_.figure.marks.empty()) write_figure(json_.key("figure"), one_.figure);
 }
 
-void CaseWriter::write_result(const KnownResult& result) {
+void CaseWriter::write_result(const Result& result) {
   json_.object([&] {
     write_judgement(result);
     write_findings(result);
@@ -96,7 +96,7 @@ void CaseWriter::write_result(const KnownResult& result) {
   });
 }
 
-void CaseWriter::write_judgement(const KnownResult& result) {
+void CaseWriter::write_judgement(const Result& result) {
   json_.member("verdict", name_of(result.verdict));
   if (!result.fingerprint.empty()) json_.member("fingerprint", result.fingerprint);
   if (result.standing != Standing::expected) json_.member("standing", name_of(result.standing));
@@ -109,7 +109,7 @@ void CaseWriter::write_judgement(const KnownResult& result) {
     write_pixel_counts(json_.key("pixel_counts"), result.pixel_counts);
 }
 
-void CaseWriter::write_findings(const KnownResult& result) {
+void CaseWriter::write_findings(const Result& result) {
   list_unless_empty("disagreements", result.disagreements, write_disagreement);
   list_unless_empty("values", result.values, write_values);
   list_unless_empty("evidence", result.evidence, write_evidence);
@@ -124,7 +124,7 @@ void CaseWriter::write_findings(const KnownResult& result) {
   list_unless_empty("ramp", result.ramp, write_level);
 }
 
-void CaseWriter::write_pictures(const KnownResult& result) {
+void CaseWriter::write_pictures(const Result& result) {
   const bool own = !result.exact_pixels->empty();
   if (own) {
     write_picture("exact_pixels", result.exact_pixels, one_.pixels);
@@ -169,14 +169,6 @@ void append_head(const CaseResults& one, std::size_t number, std::string& text) 
 void append_case(const CaseResults& one, std::size_t head,
                  const std::vector<RendererInfo>& renderers, std::string& text) {
   CaseWriter(one, text).write_case(head, renderers);
-}
-
-bool has_details(const CaseResults& one) {
-  return !one.expect_failures.empty() ||
-         std::any_of(one.results.begin(), one.results.end(), [](const KnownResult& result) {
-           return result.verdict != Verdict::agree || result.standing != Standing::expected ||
-                  !result.ramp.empty();
-         });
 }
 
 PixelCounts counts_of_agreement(int width, int height) {

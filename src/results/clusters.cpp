@@ -26,24 +26,10 @@ struct Key {
   friend auto operator<=>(const Key&, const Key&) = default;
 };
 
-// A case with what it is ordered by: primitives, pixels of the target, length of the id, id.
-struct SizedCase {
+// A case whose members are added.
+struct Place {
   const CaseResults* one = nullptr;
-  std::size_t primitives = 0;
-
-  explicit SizedCase(const CaseResults& results)
-      : one(&results),
-        primitives(static_cast<std::size_t>(
-            std::ranges::count(results.figure.marks, MarkRole::primitive, &Mark::role))) {}
-
-  friend bool operator<(const SizedCase& a, const SizedCase& b) {
-    const auto size = [](const SizedCase& sized) {
-      const CaseResults& results = *sized.one;
-      const auto pixels = static_cast<long>(results.width) * results.height;
-      return std::tuple(sized.primitives, pixels, results.id.size(), std::string_view(results.id));
-    };
-    return size(a) < size(b);
-  }
+  CaseSize size;
 };
 
 // Some differences of one case that belong to one cluster: one disagreement, or the values of one
@@ -57,9 +43,11 @@ struct Member {
   int primitive = -1;
 };
 
-class Gatherer {
+}  // namespace
+
+class ClusterGatherer::Entries {
  public:
-  void add(const Key& key, const SizedCase& place, const Member& member) {
+  void add(const Key& key, const Place& place, const Member& member) {
     Entry& entry = entries_[key];
     Cluster& cluster = entry.cluster;
     if (cluster.disagreements == 0) {
@@ -70,10 +58,10 @@ class Gatherer {
     if (cluster.rule != member.rule) cluster.rule.clear();
     if (cluster.kind != member.kind) cluster.kind.clear();
     cluster.disagreements += member.count;
-    if (entry.latest != place.one) ++cluster.cases;
-    entry.latest = place.one;
-    if (entry.smallest && !(place < *entry.smallest)) return;
-    entry.smallest = place;
+    if (entry.latest != place.one->id) ++cluster.cases;
+    entry.latest = place.one->id;
+    if (entry.smallest && !(place.size < *entry.smallest)) return;
+    entry.smallest = place.size;
     cluster.smallest_case = place.one->id;
     cluster.smallest_file = place.one->file;
     cluster.x = member.x;
@@ -98,13 +86,16 @@ class Gatherer {
  private:
   struct Entry {
     Cluster cluster;
-    const CaseResults* latest = nullptr;  // the case of the last member
-    std::optional<SizedCase> smallest;
+    std::optional<std::string> latest;  // id of the last member's case
+    std::optional<CaseSize> smallest;
   };
   std::map<Key, Entry> entries_;
 };
 
-void gather_disagreements(const SizedCase& place, const Result& result, Gatherer& gatherer) {
+namespace {
+
+template <class Entries>
+void gather_disagreements(const Place& place, const Result& result, Entries& gatherer) {
   for (const Disagreement& d : result.disagreements) {
     Key key;
     key.cause = text_of(d.cause);
@@ -119,7 +110,8 @@ void gather_disagreements(const SizedCase& place, const Result& result, Gatherer
   }
 }
 
-void gather_values(const SizedCase& place, const Result& result, Gatherer& gatherer) {
+template <class Entries>
+void gather_values(const Place& place, const Result& result, Entries& gatherer) {
   const char* const kind = name_of(DisagreementKind::value);
   for (const ValueAggregate& values : result.values) {
     if (values.differing.empty()) continue;
@@ -146,22 +138,53 @@ bool comes_before(const Cluster& a, const Cluster& b) {
 
 }  // namespace
 
-std::vector<Cluster> clusters_of(const Results& results, std::size_t renderer) {
-  Gatherer gatherer;
-  for (const CaseResults& one : results.cases) {
-    if (renderer >= one.results.size()) continue;
-    const SizedCase place(one);
-    gather_disagreements(place, one.results[renderer], gatherer);
-    gather_values(place, one.results[renderer], gatherer);
-  }
-  std::vector<Cluster> clusters = gatherer.take();
+ClusterGatherer::ClusterGatherer() : entries_(new Entries) {}
+
+ClusterGatherer::~ClusterGatherer() = default;
+
+ClusterGatherer::ClusterGatherer(ClusterGatherer&&) noexcept = default;
+
+void ClusterGatherer::add(const CaseResults& one, const Result& result) {
+  const Place place{&one, CaseSize(one)};
+  gather_disagreements(place, result, *entries_);
+  gather_values(place, result, *entries_);
+}
+
+std::vector<Cluster> ClusterGatherer::take() {
+  std::vector<Cluster> clusters = entries_->take();
   std::ranges::sort(clusters, comes_before);
   return clusters;
 }
 
-bool is_simpler(const CaseResults& a, const CaseResults& b) {
-  return SizedCase(a) < SizedCase(b);
+std::vector<Cluster> clusters_of(const Results& results, std::size_t renderer) {
+  ClusterGatherer gatherer;
+  for (std::size_t i = 0; i < results.cases.size(); ++i) {
+    const std::vector<ResultOutline>& answers = results.cases.outline(i).answers;
+    if (renderer >= answers.size() || answers[renderer].verdict == Verdict::agree) continue;
+    const CaseResults one = results.cases[i];
+    gatherer.add(one, one.results[renderer]);
+  }
+  return gatherer.take();
 }
+
+std::vector<std::vector<Cluster>> clusters_of(const Results& results) {
+  std::vector<ClusterGatherer> gatherers(results.renderers.size());
+  for (std::size_t i = 0; i < results.cases.size(); ++i) {
+    if (!has_details(results.cases.outline(i))) continue;
+    const CaseResults one = results.cases[i];
+    for (std::size_t r = 0; r < std::min(gatherers.size(), one.results.size()); ++r)
+      gatherers[r].add(one, one.results[r]);
+  }
+  std::vector<std::vector<Cluster>> clusters;
+  for (ClusterGatherer& gatherer : gatherers) clusters.push_back(gatherer.take());
+  return clusters;
+}
+
+CaseSize::CaseSize(const CaseResults& one)
+    : primitives(std::ranges::count(one.figure.marks, MarkRole::primitive, &Mark::role)),
+      pixels(static_cast<std::ptrdiff_t>(one.width) * one.height),
+      length(one.id.size()),
+      id(one.id) {}
 
 std::string title_of(const Cluster& cluster) {
   std::string text = cluster.cause;

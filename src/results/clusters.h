@@ -10,7 +10,9 @@
 // never mixed. What the clusters mean is left to the reader.
 #pragma once
 
+#include <compare>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -44,8 +46,36 @@ struct Cluster {
 // go by the texts. The same results give the same clusters.
 std::vector<Cluster> clusters_of(const Results& results, std::size_t renderer);
 
-// Is the first case the one to look at first? The order of Cluster::smallest_case.
-bool is_simpler(const CaseResults& a, const CaseResults& b);
+// The same of all renderers, in their order.
+std::vector<std::vector<Cluster>> clusters_of(const Results& results);
+
+// The same of results that come one after the other, of one renderer.
+class ClusterGatherer {
+ public:
+  ClusterGatherer();
+  ~ClusterGatherer();
+  ClusterGatherer(ClusterGatherer&&) noexcept;
+
+  // A result of a case.
+  void add(const CaseResults& one, const Result& result);
+  // To be called once.
+  std::vector<Cluster> take();
+
+ private:
+  class Entries;
+  std::unique_ptr<Entries> entries_;
+};
+
+// What cases are ordered by: the least is the one to look at first (Cluster::smallest_case).
+struct CaseSize {
+  std::ptrdiff_t primitives = 0;
+  std::ptrdiff_t pixels = 0;
+  std::size_t length = 0;  // of the id
+  std::string id;
+
+  explicit CaseSize(const CaseResults& one);
+  friend auto operator<=>(const CaseSize&, const CaseSize&) = default;
+};
 
 // What tells a cluster from the others of its renderer, on one line: "line.diamond-exit extra,
 // first pixel, window" or "triangle.fill-rule=left-bottom, fbo". Without legality and counts.

@@ -70,22 +70,22 @@ std::optional<ChangeKind> change_of(const Judgement& before, const Judgement& af
   return before.verdict < after.verdict ? ChangeKind::worse : ChangeKind::better;
 }
 
-// Of both results, the one that shows what a change is about.
-const Result* telling(ChangeKind change, const Result* before, const Result* after) {
+// Do the later results show what a change is about, rather than the earlier ones?
+bool shows_after(ChangeKind change) {
   switch (change) {
     case ChangeKind::new_disagreement:
     case ChangeKind::worse:
     case ChangeKind::not_run:
     case ChangeKind::changed:
     case ChangeKind::appeared:
-      return after;
+      return true;
     case ChangeKind::disappeared:
     case ChangeKind::runs:
     case ChangeKind::better:
     case ChangeKind::fixed:
-      return before;
+      return false;
   }
-  return after;
+  return true;
 }
 
 class Clusters {
@@ -127,22 +127,34 @@ class Clusters {
   std::map<Key, ChangeCluster> clusters_;
 };
 
-using ById = std::map<std::string, std::pair<const Result*, const Result*>>;
+// Where a case stands in both results.
+using Indices = std::pair<std::optional<std::size_t>, std::optional<std::size_t>>;
+
+std::map<std::string, Indices> indices_by_id(const Results& before, const Results& after) {
+  std::map<std::string, Indices> indices;
+  std::size_t index = 0;
+  for (const CaseOutline& one : before.cases.outlines()) indices[one.id].first = index++;
+  index = 0;
+  for (const CaseOutline& one : after.cases.outlines()) indices[one.id].second = index++;
+  return indices;
+}
+
+std::optional<Judgement> judgement_at(const Results& results, std::size_t renderer,
+                                      std::optional<std::size_t> index) {
+  if (!index) return std::nullopt;
+  return judgement_of(results.cases.outline(*index).answers[renderer]);
+}
 
 RendererComparison compare_answers(const Results& before, std::size_t b, const Results& after,
                                    std::size_t a) {
-  ById both;
-  for (const CaseResults& one : before.cases) both[one.id].first = &one.results[b];
-  for (const CaseResults& one : after.cases) both[one.id].second = &one.results[a];
   RendererComparison comparison;
   comparison.before = before.renderers[b].name;
   comparison.after = after.renderers[a].name;
   comparison.facts = compare_claims(before.renderers[b], after.renderers[a]);
   Clusters clusters;
-  for (const auto& [id, results] : both) {
-    CaseChange one{id, ChangeKind::changed, std::nullopt, std::nullopt};
-    if (results.first != nullptr) one.before = judgement_of(*results.first);
-    if (results.second != nullptr) one.after = judgement_of(*results.second);
+  for (const auto& [id, indices] : indices_by_id(before, after)) {
+    CaseChange one{id, ChangeKind::changed, judgement_at(before, b, indices.first),
+                   judgement_at(after, a, indices.second)};
     const std::optional<ChangeKind> change = !one.before  ? ChangeKind::appeared
                                              : !one.after ? ChangeKind::disappeared
                                                           : change_of(*one.before, *one.after);
@@ -152,7 +164,10 @@ RendererComparison compare_answers(const Results& before, std::size_t b, const R
     }
     one.change = *change;
     ++comparison.counts[*change];
-    clusters.add(id, *change, *telling(*change, results.first, results.second));
+    if (shows_after(*change))
+      clusters.add(id, *change, after.cases[*indices.second].results[a]);
+    else
+      clusters.add(id, *change, before.cases[*indices.first].results[b]);
     comparison.cases.push_back(std::move(one));
   }
   comparison.clusters = clusters.take();

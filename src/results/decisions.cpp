@@ -74,22 +74,22 @@ std::string words_of(const Judgement& answer) {
              : fmt::format("{} {}", name_of(answer.verdict), answer.fingerprint);
 }
 
-const KnownResult* find_result(const Results& results, std::size_t index, const std::string& id) {
-  const auto found = std::ranges::find(results.cases, id, &CaseResults::id);
-  return found != results.cases.end() ? &found->results[index] : nullptr;
+const ResultOutline* find_answer(const Results& results, std::size_t index, const std::string& id) {
+  const auto found = results.cases.find(id);
+  return found ? &results.cases.outline(*found).answers[index] : nullptr;
 }
 
 // Why a decision holds no more, or empty.
-std::string refusal_of(const Decision& decision, const KnownResult* result) {
-  if (result == nullptr) return "the results have no such case";
-  if (result->again) return "the answer changes when it is asked for again: nothing to decide on";
-  if (judgement_of(*result) != decision.seen)
+std::string refusal_of(const Decision& decision, const ResultOutline* answer) {
+  if (answer == nullptr) return "the results have no such case";
+  if (answer->again) return "the answer changes when it is asked for again: nothing to decide on";
+  if (judgement_of(*answer) != decision.seen)
     return fmt::format("it was made on {}, and the results have {}", words_of(decision.seen),
-                       words_of(judgement_of(*result)));
-  if (decision.accepts && result->standing == Standing::known)
-    return fmt::format("it is known by now: {}", fmt::join(result->faults, ", "));
-  if (decision.accepts && result->standing != Standing::unexpected)
-    return fmt::format("a result that is {} needs no known fault", name_of(result->standing));
+                       words_of(judgement_of(*answer)));
+  if (decision.accepts && answer->standing == Standing::known)
+    return fmt::format("it is known by now: {}", fmt::join(answer->faults, ", "));
+  if (decision.accepts && answer->standing != Standing::unexpected)
+    return fmt::format("a result that is {} needs no known fault", name_of(answer->standing));
   return "";
 }
 
@@ -131,7 +131,7 @@ std::vector<DecisionOutcome> weigh_decisions(const Results& results, std::size_t
   for (const Decision& decision : decisions)
     if (decision.renderer == results.renderers[index].name)
       outcomes.push_back(
-          {&decision, refusal_of(decision, find_result(results, index, decision.id))});
+          {&decision, refusal_of(decision, find_answer(results, index, decision.id))});
   return outcomes;
 }
 

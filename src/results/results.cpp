@@ -5,8 +5,8 @@ namespace edgecase {
 
 std::map<Verdict, std::size_t> count_verdicts(const Results& results, std::size_t index) {
   std::map<Verdict, std::size_t> counts;
-  for (const CaseResults& one : results.cases)
-    if (index < one.results.size()) ++counts[one.results[index].verdict];
+  for (const CaseOutline& one : results.cases.outlines())
+    if (index < one.answers.size()) ++counts[one.answers[index].verdict];
   return counts;
 }
 

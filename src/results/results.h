@@ -19,6 +19,7 @@
 #include "model/renderer.h"
 #include "model/result.h"
 #include "model/storage.h"
+#include "results/case_list.h"
 
 namespace edgecase {
 
@@ -26,51 +27,6 @@ namespace edgecase {
 constexpr const char* name_of(Latitude latitude) {
   return latitude == Latitude::none ? "none" : "opengl";
 }
-
-// What judging makes of an answer. Two answers that are equal in this show the same.
-struct Judgement {
-  Verdict verdict = Verdict::agree;
-  std::string fingerprint;
-  friend bool operator==(const Judgement&, const Judgement&) = default;
-};
-
-inline Judgement judgement_of(const Result& result) {
-  return {result.verdict, result.fingerprint};
-}
-
-// A result, and what is known of the renderer's other answers to the case.
-struct KnownResult : Result {
-  std::vector<std::string> faults;  // ids of the known faults that account for something in it
-  // Of an unexpected answer that was asked for a second time, what came then, where it was another.
-  std::optional<Judgement> again;
-
-  KnownResult() = default;
-  KnownResult(Result result) : Result(std::move(result)) {}
-};
-
-// One case with the results of all renderers, in the order of Results::renderers.
-struct CaseResults {
-  std::string id;
-  std::string title;
-  std::string why;
-  std::vector<std::string> rules;
-  std::string spec;
-  std::string origin;
-  std::vector<std::string> tags;
-  std::string file;         // path of the case file, as given
-  SharedText source;        // its text
-  std::string file_digest;  // of its text (model/text.h)
-  std::string surface;
-  int width = 0;
-  int height = 0;
-  std::optional<Viewport> viewport;          // where it is not the target's rectangle
-  Shared<PackedWords> pixels;                // of the exact side, RGBA8, bottom row first
-  SampleImage samples;                       // of the exact side, where it is multisampled
-  std::size_t fragments = 0;                 // of the exact side
-  Figure figure;                             // the case's primitives and vertices
-  std::vector<std::string> expect_failures;  // hand-drawn truths that exact does not meet
-  std::vector<KnownResult> results;
-};
 
 // Which share of a run's cases results hold.
 struct ShareOfRun {
@@ -116,7 +72,7 @@ struct Results {
   Latitude latitude = Latitude::opengl;
   std::string policy_digest;  // of the policy's choices, and of the renderers' profiles
   std::vector<RendererInfo> renderers;
-  std::vector<CaseResults> cases;       // sorted by id
+  CaseList cases;                       // sorted by id
   std::vector<Diagnostic> diagnostics;  // case files that could not be loaded
   bool interrupted = false;             // not all that was asked for was done
   std::size_t left_out = 0;             // cases that are missing therefore

@@ -27,7 +27,8 @@
 //    "illegal_line_snaps", "refuted", "exact_fragments", "rendered_fragments", "ramp", "pixels",
 //    "samples", "exact_pixels", "exact_samples"}}}
 //
-// "head" is the number of an earlier line that says what several cases share, counted from 0:
+// "head" is the number, counted from 0, of an earlier line that says what several cases share.
+// Cases of a file stand together, and the heads that they name between them:
 //
 //   {"head": 0, "file", "file_digest", "title", "why", "rules", "spec", "origin", "tags",
 //    "surface", "width", "height", "viewport"}

@@ -5,7 +5,6 @@
 #include <deque>
 #include <future>
 #include <istream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -106,25 +105,26 @@ void read_end(const ReadJson& json, Results& results) {
 struct Batch {
   std::vector<std::pair<std::size_t, std::string>> lines;  // with their numbers, from 1
   std::size_t bytes = 0;
-  std::shared_ptr<const CaseHeads> heads;
+  std::shared_ptr<const HeadsRead> heads;
 };
 
 // The cases of a batch, up to the first line that is at fault.
 struct Parsed {
-  std::vector<CaseResults> cases;
+  std::vector<ShelvedCase> cases;
   std::string fault;     // with its place; empty: none
   std::size_t line = 0;  // that is at fault
   bool is_whole = true;  // is that line JSON?
 };
 
-Parsed parsed(const Batch& batch, const std::vector<RendererInfo>& renderers) {
+Parsed parsed(const Batch& batch, const std::vector<RendererInfo>& renderers,
+              const std::shared_ptr<Shelf>& shelf) {
   Parsed result;
   for (const auto& [number, line] : batch.lines) {
     std::string where = fmt::format("line {}: ", number);
     try {
       const ReadJson json = parse_line(line);
       where = fmt::format("case {}: ", json.at("case").get<std::string>());
-      result.cases.push_back(to_case(json, *batch.heads, renderers));
+      result.cases.emplace_back(to_case(json, *batch.heads, renderers), shelf);
     } catch (const std::exception& error) {
       result.fault = where + fault_of(error);
       result.line = number;
@@ -202,10 +202,10 @@ class Reading {
 
   void add_head(const ReadJson& json) {
     const std::size_t head = WholeNumber(json.at("head"));
-    if (head != heads_.size())
-      throw std::runtime_error(
-          fmt::format("head {} stands in the place of {}", head, heads_.size()));
-    heads_.push_back(std::make_shared<const CaseResults>(to_head(json)));
+    const std::size_t next = heads_.first + heads_.list.size();
+    if (head != next)
+      throw std::runtime_error(fmt::format("head {} stands in the place of {}", head, next));
+    heads_.list.push_back(std::make_shared<const CaseResults>(to_head(json)));
   }
 
   void add_case_line() {
@@ -220,16 +220,17 @@ class Reading {
     const std::size_t most_ahead =
         2 * std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
     while (started_.size() >= most_ahead) take_first();
-    batch_.heads = std::make_shared<const CaseHeads>(heads_);
+    batch_.heads = std::make_shared<const HeadsRead>(heads_);
     started_.push_back(std::async(std::launch::async, [this, batch = std::exchange(batch_, {})] {
-      return parsed(batch, results_.renderers);
+      return parsed(batch, results_.renderers, shelf_);
     }));
+    heads_.keep_last_file();
   }
 
   void take_first() {
     Parsed first = started_.front().get();
     started_.pop_front();
-    std::ranges::move(first.cases, std::back_inserter(results_.cases));
+    for (ShelvedCase& one : first.cases) results_.cases.push_back(std::move(one));
     if (first.fault.empty()) return;
     where_ = "";
     // The last line of a file that is cut off.
@@ -267,7 +268,8 @@ class Reading {
   std::size_t number_ = 0;  // of the line, from 1
   std::string where_;       // for messages
   bool is_at_end_ = false;  // of a file without a last line
-  CaseHeads heads_;
+  HeadsRead heads_;
+  const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
   Batch batch_;
   Results results_;
   std::deque<std::future<Parsed>> started_;

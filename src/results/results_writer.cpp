@@ -5,12 +5,9 @@
 #include <future>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <ostream>
-#include <span>
 #include <string_view>
 #include <thread>
-#include <tuple>
 #include <utility>
 
 #include "results/case_results_writer.h"
@@ -96,10 +93,11 @@ Json cluster_json(const Cluster& cluster) {
 
 // renderer -> its clusters in their order.
 Json clusters_json(const Results& results) {
-  Json clusters = Json::object();
+  Json json = Json::object();
+  const auto clusters = clusters_of(results);
   for (std::size_t i = 0; i < results.renderers.size(); ++i)
-    clusters[results.renderers[i].name] = list(clusters_of(results, i), cluster_json);
-  return clusters;
+    json[results.renderers[i].name] = list(clusters[i], cluster_json);
+  return json;
 }
 
 // Names and messages may hold bytes that are no UTF-8; they are replaced, never fatal.
@@ -107,22 +105,19 @@ std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// What cases of one file mostly share, told apart.
-auto head_of(const CaseResults& one) {
-  std::optional<std::tuple<int, int, int, int>> viewport;
-  if (const auto& v = one.viewport) viewport.emplace(v->x, v->y, v->width, v->height);
-  return std::tuple(std::string_view(one.file), std::string_view(one.file_digest),
-                    std::string_view(one.title), std::string_view(one.why), one.rules,
-                    std::string_view(one.spec), std::string_view(one.origin), one.tags,
-                    std::string_view(one.surface), one.width, one.height, viewport);
-}
-
-// Some cases, each on a line of its own, and before it the heads that no line before has.
+// Some cases, each on a line of its own, and before it the head that no line before has.
 struct Part {
-  std::span<const CaseResults> cases;
+  std::vector<CaseResults> cases;
   std::vector<std::size_t> heads;  // by case
   std::size_t first_new = 0;       // head
 };
+
+// What cases of one file mostly share, told apart.
+std::string head_of(const CaseResults& one) {
+  std::string text;
+  append_head(one, 0, text);
+  return text;
+}
 
 std::string text_of(const Part& part, const std::vector<RendererInfo>& renderers) {
   std::string text;
@@ -138,24 +133,40 @@ std::string text_of(const Part& part, const std::vector<RendererInfo>& renderers
   return text;
 }
 
-// Divides cases into parts, and numbers their heads.
+// Divides cases into parts, and numbers their heads. Cases of a file stand together, so that only
+// its heads are remembered.
 class Divider {
  public:
-  explicit Divider(std::span<const CaseResults> cases) : rest_(cases) {}
+  explicit Divider(const CaseList& cases) : cases_(cases) {}
 
-  bool is_at_end() const { return rest_.empty(); }
+  bool is_at_end() const { return next_ == cases_.size(); }
   Part next() {
-    constexpr std::size_t kCasesOfPart = 64;
-    Part part{rest_.first(std::min(kCasesOfPart, rest_.size())), {}, numbers_.size()};
-    for (const CaseResults& one : part.cases)
-      part.heads.push_back(numbers_.try_emplace(head_of(one), numbers_.size()).first->second);
-    rest_ = rest_.subspan(part.cases.size());
+    constexpr std::size_t kMostCases = 64;
+    constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+    Part part{{}, {}, count_};
+    std::size_t bytes = 0;
+    for (; !is_at_end() && part.cases.size() < kMostCases && bytes < kMostBytes; ++next_) {
+      bytes += cases_.bytes(next_);
+      part.cases.push_back(cases_[next_]);
+      part.heads.push_back(number_of(part.cases.back()));
+    }
     return part;
   }
 
  private:
-  std::span<const CaseResults> rest_;
-  std::map<decltype(head_of(std::declval<const CaseResults&>())), std::size_t> numbers_;
+  std::size_t number_of(const CaseResults& one) {
+    if (one.file != file_) numbers_.clear();
+    file_ = one.file;
+    const auto [found, is_new] = numbers_.try_emplace(head_of(one), count_);
+    if (is_new) ++count_;
+    return found->second;
+  }
+
+  const CaseList& cases_;
+  std::size_t next_ = 0;   // case
+  std::size_t count_ = 0;  // of heads
+  std::string file_;
+  std::map<std::string, std::size_t> numbers_;  // of the file's heads
 };
 
 using Take = std::function<void(std::string_view)>;

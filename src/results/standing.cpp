@@ -30,14 +30,14 @@ struct Accounted {
 };
 
 // Is it an answer for which something must account?
-bool is_forbidden(const KnownResult& result) {
-  if (result.again) return false;
-  if (result.failure) return result.failure->kind != FailureKind::unsupported;
-  return result.verdict >= Verdict::contested;
+bool is_forbidden(const ResultOutline& answer) {
+  if (answer.again) return false;
+  if (answer.failure) return answer.failure->kind != FailureKind::unsupported;
+  return answer.verdict >= Verdict::contested;
 }
 
 // One fault is enough for a difference, and the first of the file that fits is it.
-Accounted account(const CaseResults& one, const KnownResult& result, Faults faults) {
+Accounted account(const CaseResults& one, const Result& result, Faults faults) {
   Accounted accounted;
   const auto take = [&](const auto& difference_fits) {
     ++accounted.differences;
@@ -59,41 +59,43 @@ Accounted account(const CaseResults& one, const KnownResult& result, Faults faul
   return accounted;
 }
 
-void set_standing(KnownResult& result, Standing standing, std::string standing_reason) {
-  result.standing = standing;
-  result.standing_reason = std::move(standing_reason);
+void set_standing(ResultOutline& answer, Standing standing, std::string standing_reason) {
+  answer.standing = standing;
+  answer.standing_reason = std::move(standing_reason);
 }
 
 // Of an answer for which something must account.
-void set_by_faults(KnownResult& result, const Accounted& accounted) {
+void set_by_faults(ResultOutline& answer, const Accounted& accounted) {
   std::vector<std::string> reasons;
   for (const KnownFault* fault : accounted.by) {
-    result.faults.push_back(fault->id);
+    answer.faults.push_back(fault->id);
     reasons.push_back(fmt::format("{} ({})", fault->reason, fault->id));
   }
   const std::string known = fmt::format("{}", fmt::join(reasons, "; "));
-  if (accounted.open == 0 && !known.empty()) return set_standing(result, Standing::known, known);
-  if (result.failure) return set_standing(result, Standing::unexpected, "no known fault is this");
+  if (accounted.open == 0 && !known.empty()) return set_standing(answer, Standing::known, known);
+  if (answer.failure) return set_standing(answer, Standing::unexpected, "no known fault is this");
   std::string text = fmt::format("no known fault accounts for {} of {}", accounted.open,
                                  counted(accounted.differences, "difference", "differences"));
   if (accounted.open == accounted.differences) text = "no known fault accounts for this";
-  set_standing(result, Standing::unexpected, known.empty() ? text : text + "; known: " + known);
+  set_standing(answer, Standing::unexpected, known.empty() ? text : text + "; known: " + known);
 }
 
-void set_standing(const CaseResults& one, Faults faults, Latitude latitude, KnownResult& result) {
-  result.faults.clear();
-  if (result.again)
-    return set_standing(result, Standing::flake,
+void set_standing(const CaseList& cases, std::size_t index, std::size_t renderer, Faults faults,
+                  Latitude latitude, ResultOutline& answer) {
+  answer.faults.clear();
+  if (answer.again)
+    return set_standing(answer, Standing::flake,
                         fmt::format("it answered {}, and when asked again {}",
-                                    words_of(judgement_of(result)), words_of(*result.again)));
-  if (!is_forbidden(result))
-    return result.failure ? set_standing(result, Standing::tolerated, "not supported")
-                          : set_standing(result, Standing::expected, "");
-  if (latitude == Latitude::none && !result.failure)
-    return set_standing(result, Standing::unexpected, "no latitude is granted");
-  set_by_faults(result, account(one, result, faults));
-  if (result.verdict == Verdict::contested && result.standing == Standing::unexpected)
-    result.standing = Standing::tolerated;
+                                    words_of(judgement_of(answer)), words_of(*answer.again)));
+  if (!is_forbidden(answer))
+    return answer.failure ? set_standing(answer, Standing::tolerated, "not supported")
+                          : set_standing(answer, Standing::expected, "");
+  if (latitude == Latitude::none && !answer.failure)
+    return set_standing(answer, Standing::unexpected, "no latitude is granted");
+  const CaseResults one = cases[index];
+  set_by_faults(answer, account(one, one.results[renderer], faults));
+  if (answer.verdict == Verdict::contested && answer.standing == Standing::unexpected)
+    answer.standing = Standing::tolerated;
 }
 
 FaultState state_of(const FaultSeen& seen) {
@@ -109,9 +111,9 @@ void add_faults_seen(Faults faults, std::size_t index, Results& results) {
   for (const KnownFault* fault : faults) {
     FaultSeen seen{info.name, fault->id,    fault->reason,    fault->link,
                    0,         std::nullopt, FaultState::known};
-    for (const CaseResults& one : results.cases)
-      if (std::ranges::find(one.results[index].faults, fault->id) !=
-          one.results[index].faults.end())
+    for (const CaseOutline& one : results.cases.outlines())
+      if (std::ranges::find(one.answers[index].faults, fault->id) !=
+          one.answers[index].faults.end())
         ++seen.cases;
     if (const auto found = fault->cases_on.find(text_of(release)); found != fault->cases_on.end())
       seen.before = found->second;
@@ -131,20 +133,22 @@ void apply_known_faults(Results& results, std::span<const KnownFaults> known) {
     const KnownFaults* own = faults_about(known, results.renderers[r]);
     std::vector<const KnownFault*> faults;
     if (own != nullptr) faults = faults_of(*own, results.renderers[r]);
-    for (CaseResults& one : results.cases)
-      set_standing(one, faults, results.latitude, one.results[r]);
+    for (std::size_t i = 0; i < results.cases.size(); ++i)
+      set_standing(results.cases, i, r, faults, results.latitude, results.cases.answer(i, r));
     if (results.latitude == Latitude::opengl) add_faults_seen(faults, r, results);
   }
 }
 
 void hold_contested(Results& results) {
-  for (CaseResults& one : results.cases)
-    for (KnownResult& result : one.results)
-      if (result.verdict == Verdict::contested && result.standing == Standing::tolerated)
-        result.standing = Standing::unexpected;
+  for (std::size_t i = 0; i < results.cases.size(); ++i)
+    for (std::size_t r = 0; r < results.renderers.size(); ++r) {
+      ResultOutline& answer = results.cases.answer(i, r);
+      if (answer.verdict == Verdict::contested && answer.standing == Standing::tolerated)
+        answer.standing = Standing::unexpected;
+    }
 }
 
-std::vector<const KnownFault*> faults_behind(const CaseResults& one, const KnownResult& result,
+std::vector<const KnownFault*> faults_behind(const CaseResults& one, const Result& result,
                                              Faults faults) {
   return is_forbidden(result) ? account(one, result, faults).by : std::vector<const KnownFault*>();
 }

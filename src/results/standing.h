@@ -20,7 +20,7 @@ void apply_known_faults(Results& results, std::span<const KnownFaults> known);
 void hold_contested(Results& results);
 
 // The faults, of those that a renderer may have, that account for something in its answer.
-std::vector<const KnownFault*> faults_behind(const CaseResults& one, const KnownResult& result,
+std::vector<const KnownFault*> faults_behind(const CaseResults& one, const Result& result,
                                              std::span<const KnownFault* const> faults);
 
 // Is some known fault seen in more cases than its file says? That is red.

@@ -57,10 +57,12 @@ std::vector<AnswerPlace> worst_first(const Results& results, const WantedAnswer&
   std::map<Beginning, std::size_t> counts;
   std::vector<Sorted> sorted;
   for (std::size_t i = 0; i < results.cases.size(); ++i) {
-    const auto& answers = results.cases[i].results;
+    const std::vector<ResultOutline>& answers = results.cases.outline(i).answers;
+    if (std::ranges::none_of(answers, is_wanted)) continue;
+    const CaseResults one = results.cases[i];
     for (std::size_t r = 0; r < answers.size() && r < results.renderers.size(); ++r) {
       if (!is_wanted(answers[r])) continue;
-      std::size_t& count = counts[beginning_of(answers[r], r)];
+      std::size_t& count = counts[beginning_of(one.results[r], r)];
       ++count;
       sorted.push_back({{i, r}, rank_of(answers[r].verdict), &count});
     }

@@ -24,7 +24,7 @@ struct AnswerPlace {
   std::size_t renderer = 0;  // index in Results::renderers
 };
 
-using WantedAnswer = std::function<bool(const KnownResult&)>;
+using WantedAnswer = std::function<bool(const ResultOutline&)>;
 
 // The answers that are wanted, by their verdict: violation, contested, permitted, convention,
 // agree, not-run. Within a verdict those come first whose first disagreement is of a cause, or

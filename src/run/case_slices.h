@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "model/case.h"
+#include "run/case_store.h"
 
 namespace edgecase {
 
@@ -18,14 +18,12 @@ struct CaseSlice {
 };
 
 struct SliceLimits {
-  // As many as a case's target has samples, once a pass where it is supersampled, and 256 beside
-  // them for each case.
-  std::size_t weight = 0;
+  std::size_t weight = 0;                                       // CaseStore::weight, in all
   std::size_t cases = std::numeric_limits<std::size_t>::max();  // at least 1
 };
 
 // Slices in the order of the cases, each within the limits or of one case that weighs more. No
 // case, no slice.
-std::vector<CaseSlice> cut_cases(const std::vector<Case>& cases, SliceLimits most);
+std::vector<CaseSlice> cut_cases(const CaseStore& cases, SliceLimits most);
 
 }  // namespace edgecase

@@ -22,6 +22,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr std::size_t kChunk = std::size_t{1} << 16;
+constexpr std::size_t kMuch = std::size_t{1} << 20;  // bytes that are not held for nothing
 constexpr std::size_t kErrorOutput = 2000;
 // How long a program may take to end after its input was closed, or after it closed its output.
 constexpr milliseconds kFarewell{500};
@@ -141,10 +142,13 @@ bool ChildProcess::take_message(std::string_view& answer) {
 
 // What has been taken makes room for what comes; a picture's worth of it is given back.
 void ChildProcess::make_room() {
-  constexpr std::size_t kMuch = std::size_t{16} << 20;
   received_.erase(0, taken_);
   taken_ = 0;
-  if (received_.empty() && received_.capacity() > kMuch) received_.shrink_to_fit();
+  if (received_.capacity() > kMuch && received_.size() < kMuch / 2) received_.shrink_to_fit();
+}
+
+void ChildProcess::forget_message() {
+  if (received_.capacity() > kMuch) make_room();
 }
 
 // Waits until something can be read or written, and does so; the status when there is an end of
@@ -204,8 +208,10 @@ ChildProcess::Status ChildProcess::receive(std::string_view& answer, std::size_t
                                            Clock::time_point deadline,
                                            const std::atomic<bool>* stop) {
   while (!take_message(answer)) {
-    if (announced_length() > max_length) return Status::too_long;
+    const std::size_t length = announced_length();
+    if (length > max_length) return Status::too_long;
     make_room();
+    if (length > kMuch) received_.reserve(length + kChunk);
     const auto status = turn(deadline, stop);
     if (status == Status::ended) return end(take_message(answer));
     if (status) return *status;

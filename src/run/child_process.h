@@ -59,6 +59,8 @@ class ChildProcess {
   // it is until the next call.
   Status receive(std::string_view& answer, std::size_t max_length, Clock::time_point deadline,
                  const std::atomic<bool>* stop = nullptr);
+  // Gives back what the last message took, where that is much. It is not to be used any more.
+  void forget_message();
 
   // What it has written beyond the line that exchange() returned last: "" from a program that
   // answers one line for each request. Waits for `patience` or until something comes.

@@ -26,46 +26,42 @@ void keep_pictures(const Rendering& rendering, const ExactSide& exact, Result& r
 ExactSide::ExactSide(Rendering drawn)
     : rendering(std::move(drawn)), pixels(rendering.pixels), samples(sample_image(rendering)) {}
 
-CaseComparison::CaseComparison(const Suite& suite, const RunOptions& options)
-    : suite_(suite),
-      policy_(options.policy),
+CaseComparison::CaseComparison(std::size_t count, const RunOptions& options)
+    : policy_(options.policy),
       profiles_(options.profiles.begin(), options.profiles.end()),
-      made_(std::make_unique<std::once_flag[]>(suite.cases.size())),
-      exact_(suite.cases.size()) {}
+      made_(std::make_unique<std::once_flag[]>(count)),
+      exact_(count) {}
 
-const ExactSide& CaseComparison::exact(std::size_t index) {
+const ExactSide& CaseComparison::exact(std::size_t index, const Scene& scene) {
   std::call_once(made_[index], [&] {
-    exact_[index] = std::make_unique<const ExactSide>(
-        rasterize_without_details(suite_.cases[index].scene, policy_));
+    exact_[index] = std::make_unique<const ExactSide>(rasterize_without_details(scene, policy_));
   });
   return *exact_[index];
 }
 
-Result CaseComparison::compare_outcome(std::size_t index, Outcome outcome,
+Result CaseComparison::compare_outcome(std::size_t index, const Case& one, Outcome outcome,
                                        const RendererInfo& info) {
   if (auto* failure = std::get_if<Failure>(&outcome)) return not_run(std::move(*failure));
   const auto profile = profiles_.find(info.name);
-  const Case& one = suite_.cases[index];
   const auto& rendering = std::get<Rendering>(outcome);
   const RendererFacts facts =
       facts_of(info, profile != profiles_.end() ? &profile->second : nullptr);
-  Result result = compare_with_exact(index, rendering, facts);
+  Result result = compare_with_exact(index, one.scene, rendering, facts);
   if (std::ranges::find(one.tags, kRampTag) != one.tags.end())
     result.ramp = level_ramp(one.scene, policy_, rendering, facts);
   return result;
 }
 
 // A renderer that has its samples elsewhere is held against exact with samples there.
-Result CaseComparison::compare_with_exact(std::size_t index, const Rendering& rendering,
-                                          const RendererFacts& facts) {
-  const Scene& scene = suite_.cases[index].scene;
+Result CaseComparison::compare_with_exact(std::size_t index, const Scene& scene,
+                                          const Rendering& rendering, const RendererFacts& facts) {
   const auto compare_with = [&](const ExactSide& exact) {
     Result result = compare(scene, policy_, exact.rendering, rendering, facts);
     report_fragments(exact.rendering, rendering, result);
     keep_pictures(rendering, exact, result);
     return result;
   };
-  const ExactSide& usual = exact(index);
+  const ExactSide& usual = exact(index, scene);
   const SamplePositions& reported = rendering.sample_positions;
   if (reported.empty() || reported == usual.rendering.sample_positions) return compare_with(usual);
   const ExactSide own(rasterize_without_details(scene, policy_, reported));

@@ -27,25 +27,25 @@ struct ExactSide {
   explicit ExactSide(Rendering drawn);
 };
 
-// The suite must outlive it. Safe to use from several threads.
+// Of a suite of `count` cases. Safe to use from several threads.
 class CaseComparison {
  public:
-  CaseComparison(const Suite& suite, const RunOptions& options);
+  CaseComparison(std::size_t count, const RunOptions& options);
 
-  // The exact rendering of the case at `index`, made once by whoever asks first, with samples where
-  // the policy has them when no renderer says where its own lie.
-  const ExactSide& exact(std::size_t index);
+  // The exact rendering of the scene of the case at `index`, made once by whoever asks first, with
+  // samples where the policy has them when no renderer says where its own lie.
+  const ExactSide& exact(std::size_t index, const Scene& scene);
   // Nobody asks for the exact rendering of this case any more.
   void forget(std::size_t index) { exact_[index].reset(); }
 
-  // What `info` answered to the case at `index`, compared.
-  Result compare_outcome(std::size_t index, Outcome outcome, const RendererInfo& info);
+  // What `info` answered to the case, which is that at `index`, compared.
+  Result compare_outcome(std::size_t index, const Case& one, Outcome outcome,
+                         const RendererInfo& info);
 
  private:
-  Result compare_with_exact(std::size_t index, const Rendering& rendering,
+  Result compare_with_exact(std::size_t index, const Scene& scene, const Rendering& rendering,
                             const RendererFacts& facts);
 
-  const Suite& suite_;
   const ResolvedPolicy policy_;
   std::map<std::string, ResolvedPolicy> profiles_;
   std::unique_ptr<std::once_flag[]> made_;

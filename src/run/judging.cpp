@@ -2,9 +2,7 @@
 #include "run/judging.h"
 
 #include <map>
-#include <vector>
-
-#include "diff/judge.h"
+#include <string>
 
 namespace edgecase {
 namespace {
@@ -13,14 +11,33 @@ constexpr const char* kReading = "lines read with snap, ";
 
 }  // namespace
 
+RunReadings read_all(const CaseList& cases) {
+  std::map<ReadingKey, RunReader> readers;
+  for (const CaseResults& one : cases)
+    for (std::size_t r = 0; r < one.results.size(); ++r)
+      readers[{r, one.surface}].add(one.results[r]);
+  RunReadings readings;
+  for (const auto& [key, reader] : readers) readings.emplace(key, reader.reading());
+  return readings;
+}
+
 void judge_all(Results& results) {
-  for (std::size_t r = 0; r < results.renderers.size(); ++r) {
-    std::map<std::string, std::string>& traits = results.renderers[r].traits;
-    std::erase_if(traits, [](const auto& trait) { return is_of_judging(trait.first); });
-    std::map<std::string, std::vector<Result*>> by_surface;
-    for (CaseResults& one : results.cases) by_surface[one.surface].push_back(&one.results[r]);
-    for (const auto& [surface, group] : by_surface)
-      traits[kReading + surface] = judge(group, results.latitude);
+  const RunReadings readings = read_all(results.cases);
+  for (RendererInfo& info : results.renderers)
+    std::erase_if(info.traits, [](const auto& trait) { return is_of_judging(trait.first); });
+  for (const auto& [key, reading] : readings)
+    results.renderers[key.first].traits[kReading + key.second] = reading.line_snap;
+  for (std::size_t i = 0; i < results.cases.size(); ++i) {
+    CaseResults one = results.cases[i];
+    bool differs = false;
+    for (std::size_t r = 0; r < one.results.size(); ++r) {
+      Result* const only = &one.results[r];
+      differs = differs || !only->disagreements.empty() || !only->values.empty();
+      judge({&only, 1}, results.latitude, readings.at({r, one.surface}));
+      results.cases.answer(i, r) = *only;
+    }
+    // Of what agrees the outline has all that judging changes.
+    if (differs) results.cases.replace(i, one);
   }
 }
 

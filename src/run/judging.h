@@ -5,11 +5,21 @@
 // merged: a shard alone may read its lines otherwise than the whole.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <string>
+#include <utility>
 
+#include "diff/judge.h"
 #include "results/results.h"
 
 namespace edgecase {
+
+using ReadingKey = std::pair<std::size_t, std::string>;  // index of the renderer, surface
+using RunReadings = std::map<ReadingKey, RunReading>;
+
+// How each renderer's answers on each surface are read.
+RunReadings read_all(const CaseList& cases);
 
 // Fills what judge() fills of all results, by results.latitude, and the renderers' traits that say
 // how lines are read.

@@ -7,9 +7,10 @@ namespace edgecase {
 
 NamedCases unexpected_cases(const Results& results) {
   NamedCases named;
-  for (const CaseResults& one : results.cases)
-    if (!one.expect_failures.empty() || std::ranges::any_of(one.results, [](const Result& result) {
-          return is_unexpected(result.standing);
+  for (const CaseOutline& one : results.cases.outlines())
+    if (one.expect_failures > 0 ||
+        std::ranges::any_of(one.answers, [](const ResultOutline& answer) {
+          return is_unexpected(answer.standing);
         }))
       named.ids.insert(one.id);
   for (const Diagnostic& diagnostic : results.diagnostics) named.files.insert(diagnostic.file);

@@ -112,7 +112,7 @@ void unite(const std::vector<Diagnostic>& from, std::vector<Diagnostic>& to) {
 void add_part(Results part, Results& whole) {
   for (std::size_t r = 0; r < whole.renderers.size(); ++r)
     if (has_never_answered(whole.renderers[r])) whole.renderers[r] = std::move(part.renderers[r]);
-  std::ranges::move(part.cases, std::back_inserter(whole.cases));
+  whole.cases.merge(std::move(part.cases));
   unite(part.diagnostics, whole.diagnostics);
   whole.interrupted = whole.interrupted || part.interrupted;
   whole.left_out += part.left_out;
@@ -131,7 +131,6 @@ std::variant<Results, std::string> merge_results(std::vector<MergePart> parts, b
   } else if (parts.size() > 1) {
     whole.whole_suite = false;
   }
-  std::ranges::sort(whole.cases, {}, &CaseResults::id);
   judge_all(whole);
   return whole;
 }

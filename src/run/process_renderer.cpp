@@ -183,6 +183,7 @@ Outcome ProcessRenderer::attempt_message(const Task& task) {
     asked_.pop_front();
     note_answer();
     auto parsed = parse_answer_message(answer, asked.digest, *task.scene, takes_coverage(task));
+    child_->forget_message();
     if (const auto* error = std::get_if<WireError>(&parsed)) return refuse(error->message);
     auto& read = std::get<Answer>(parsed);
     return take(std::move(read.outcome), std::move(read.claims));

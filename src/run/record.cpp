@@ -58,9 +58,10 @@ class Recorder {
   }
 
   void record(const CaseSlice& slice, Renderer& renderer, Made& made) {
+    std::vector<Case> cases;
+    for (std::size_t i = slice.begin; i < slice.end; ++i) cases.push_back(suite_.cases[i]);
     std::vector<Task> tasks;
-    for (std::size_t i = slice.begin; i < slice.end; ++i)
-      tasks.push_back({suite_.cases[i].id, &suite_.cases[i].scene});
+    for (const Case& one : cases) tasks.push_back({one.id, &one.scene});
     std::vector<RecordedBlock::Scene> scenes;
     std::vector<std::string> lines;
     try {

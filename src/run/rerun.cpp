@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -14,6 +13,7 @@
 
 #include "diff/judge.h"
 #include "run/comparing.h"
+#include "run/judging.h"
 
 namespace edgecase {
 namespace {
@@ -24,19 +24,19 @@ constexpr std::size_t kSlice = 200;
 struct Question {
   std::size_t renderer = 0;
   std::size_t index = 0;  // of the case in the suite
-  CaseResults* one = nullptr;
+  std::size_t place = 0;  // of the case in the results
 };
 
 struct Stopped {};
 
-bool is_timeout(const Result& result) {
-  return result.failure && result.failure->kind == FailureKind::timed_out;
+bool is_timeout(const ResultOutline& answer) {
+  return answer.failure && answer.failure->kind == FailureKind::timed_out;
 }
 
 // Did the renderer at `index` answer any case, be it by a refusal or by garbage?
 bool has_answered(const Results& results, std::size_t index) {
-  return std::ranges::any_of(results.cases, [&](const CaseResults& one) {
-    const auto& failure = one.results[index].failure;
+  return std::ranges::any_of(results.cases.outlines(), [&](const CaseOutline& one) {
+    const auto& failure = one.answers[index].failure;
     return !failure || failure->kind == FailureKind::unsupported ||
            failure->kind == FailureKind::garbage;
   });
@@ -45,11 +45,15 @@ bool has_answered(const Results& results, std::size_t index) {
 class Rerun {
  public:
   Rerun(const Suite& suite, const RunOptions& options, Results& results)
-      : suite_(suite), options_(options), results_(results), comparison_(suite, options) {}
+      : suite_(suite),
+        options_(options),
+        results_(results),
+        comparison_(suite.cases.size(), options) {}
 
   RerunCounts operator()() {
     gather();
-    read();
+    // How the run reads what each renderer drew on each surface.
+    if (!questions_.empty()) readings_ = read_all(results_.cases);
     std::vector<std::thread> threads;
     const std::size_t slices = (questions_.size() + kSlice - 1) / kSlice;
     for (std::size_t i = 0; i < std::min(slices, static_cast<std::size_t>(options_.jobs)); ++i)
@@ -63,9 +67,9 @@ class Rerun {
   bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
   // A renderer that could not be had at all is not asked for.
-  static bool is_asked(const Result& result) {
-    return is_unexpected(result.standing) &&
-           !(result.failure && result.failure->kind == FailureKind::unavailable);
+  static bool is_asked(const ResultOutline& answer) {
+    return is_unexpected(answer.standing) &&
+           !(answer.failure && answer.failure->kind == FailureKind::unavailable);
   }
 
   void gather() {
@@ -74,29 +78,20 @@ class Rerun {
       // One that has been silent all the time would have the patience of a start again.
       const bool is_silent = !has_answered(results_, r);
       std::size_t index = 0;
-      for (CaseResults& one : results_.cases) {
-        while (suite_.cases[index].id != one.id) ++index;
-        const Result& result = one.results[r];
-        const bool late = is_timeout(result);
-        if (!is_asked(result) || (late && is_silent)) continue;
+      for (std::size_t place = 0; place < results_.cases.size(); ++place) {
+        const CaseOutline& one = results_.cases.outline(place);
+        while (suite_.cases.id(index) != one.id) ++index;
+        const bool late = is_timeout(one.answers[r]);
+        if (!is_asked(one.answers[r]) || (late && is_silent)) continue;
         if (questions_.size() == kMostReruns || (late && timeouts == kMostTimeoutReruns)) {
           ++counts_.not_asked;
           continue;
         }
         if (late) ++timeouts;
-        questions_.push_back({r, index, &one});
+        questions_.push_back({r, index, place});
       }
     }
     counts_.asked = questions_.size();
-  }
-
-  // How the run reads what each renderer drew on each surface.
-  void read() {
-    std::map<Key, std::vector<Result*>> groups;
-    for (CaseResults& one : results_.cases)
-      for (std::size_t r = 0; r < one.results.size(); ++r)
-        groups[{r, one.surface}].push_back(&one.results[r]);
-    for (const auto& [key, group] : groups) readings_.emplace(key, read_run(group));
   }
 
   void work() {
@@ -124,31 +119,31 @@ class Rerun {
     auto made =
         make_renderer(options_.renderers[questions.front().renderer], options_.renderer_options);
     Renderer& renderer = *std::get<std::unique_ptr<Renderer>>(made);
+    std::vector<Case> cases;
+    for (const Question& question : questions) cases.push_back(suite_.cases[question.index]);
     std::vector<Task> tasks;
-    for (const Question& question : questions)
-      tasks.push_back({suite_.cases[question.index].id, &suite_.cases[question.index].scene});
+    for (const Case& one : cases) tasks.push_back({one.id, &one.scene});
     renderer.render(tasks, [&](std::size_t i, Outcome outcome) {
       if (stopped()) throw Stopped{};
-      take(questions[i],
-           comparison_.compare_outcome(questions[i].index, std::move(outcome), renderer.info()));
+      take(questions[i], comparison_.compare_outcome(questions[i].index, cases[i],
+                                                     std::move(outcome), renderer.info()));
     });
   }
 
   void take(const Question& question, Result second) const {
     Result* const only = &second;
-    judge({&only, 1}, results_.latitude, readings_.at({question.renderer, question.one->surface}));
-    KnownResult& first = question.one->results[question.renderer];
+    judge({&only, 1}, results_.latitude,
+          readings_.at({question.renderer, results_.cases.outline(question.place).surface}));
+    ResultOutline& first = results_.cases.answer(question.place, question.renderer);
     if (judgement_of(second) != judgement_of(first)) first.again = judgement_of(second);
   }
-
-  using Key = std::pair<std::size_t, std::string>;  // renderer, surface
 
   const Suite& suite_;
   const RunOptions& options_;
   Results& results_;
   CaseComparison comparison_;
   std::vector<Question> questions_;
-  std::map<Key, RunReading> readings_;
+  RunReadings readings_;
   RerunCounts counts_;
   std::atomic<std::size_t> next_ = 0;
 };

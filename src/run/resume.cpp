@@ -14,9 +14,9 @@
 namespace edgecase {
 namespace {
 
-bool could_be_had(const CaseResults& one) {
-  return std::ranges::none_of(one.results, [](const Result& result) {
-    return result.failure && result.failure->kind == FailureKind::unavailable;
+bool could_be_had(const CaseOutline& one) {
+  return std::ranges::none_of(one.answers, [](const ResultOutline& answer) {
+    return answer.failure && answer.failure->kind == FailureKind::unavailable;
   });
 }
 
@@ -27,20 +27,21 @@ bool may_need_more_files(const std::string& source) {
 }
 
 bool is_still_right(const CaseResults& earlier, const Case& now) {
-  return earlier.file_digest == digest_of_text(*now.source) && could_be_had(earlier) &&
-         !may_need_more_files(*now.source);
+  return earlier.file_digest == digest_of_text(*now.source) && !may_need_more_files(*now.source);
 }
 
 // The cases that would be lost: files that are gone, and those whose cases may be others now, leave
 // ids behind that nobody misses.
 std::variant<Resumption, std::string> checked(Resumption resumed, const std::string& name,
-                                              const std::map<std::string, CaseResults>& left) {
+                                              const CaseList& earlier,
+                                              const std::map<std::string, std::size_t>& left) {
   std::set<std::string> changed;
   for (const Diagnostic& diagnostic : resumed.rest.diagnostics) changed.insert(diagnostic.file);
   for (const Case& one : resumed.rest.cases) changed.insert(one.file.generic_string());
-  for (const auto& [id, one] : left) {
+  for (const auto& [id, index] : left) {
+    const std::string file = earlier[index].file;
     std::error_code error;
-    if (!changed.contains(one.file) && std::filesystem::exists(one.file, error))
+    if (!changed.contains(file) && std::filesystem::exists(file, error))
       return fmt::format(
           "{} holds the case {}, which is not selected now and would be lost; name the paths and "
           "filters of that run, or run without --resume",
@@ -52,11 +53,11 @@ std::variant<Resumption, std::string> checked(Resumption resumed, const std::str
 }  // namespace
 
 std::variant<Resumption, std::string> resume(const Suite& suite, MergePart earlier) {
-  std::map<std::string, CaseResults> known;
-  for (CaseResults& one : earlier.results.cases) known.emplace(one.id, std::move(one));
+  const CaseList cases = std::exchange(earlier.results.cases, {});
+  std::map<std::string, std::size_t> known;  // index by id
+  for (const CaseOutline& one : cases.outlines()) known.emplace(one.id, known.size());
   Resumption resumed;
   Results& held = resumed.held = std::move(earlier.results);
-  held.cases.clear();
   held.diagnostics.clear();
   held.faults.clear();
   held.shard.reset();
@@ -65,16 +66,17 @@ std::variant<Resumption, std::string> resume(const Suite& suite, MergePart earli
   resumed.rest.diagnostics = suite.diagnostics;
   for (const Case& now : suite.cases) {
     const auto found = known.find(now.id);
-    if (found == known.end() || !is_still_right(found->second, now)) {
-      resumed.rest.cases.push_back(now);
-    } else {
-      CaseResults& one = held.cases.emplace_back(std::move(found->second));
+    bool is_kept = false;
+    if (found != known.end() && could_be_had(cases.outline(found->second))) {
+      CaseResults one = cases[found->second];
+      is_kept = is_still_right(one, now);
       one.file = now.file.generic_string();
-      one.source = now.source;
+      if (is_kept) held.cases.push_back(one);
     }
+    if (!is_kept) resumed.rest.cases.push_back(now);
     if (found != known.end()) known.erase(found);
   }
-  return checked(std::move(resumed), earlier.name, known);
+  return checked(std::move(resumed), earlier.name, cases, known);
 }
 
 }  // namespace edgecase

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "run/run.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <thread>
 #include <tuple>
@@ -30,6 +34,9 @@ namespace {
 // waits for at the end of each is a small part of it.
 constexpr SliceLimits kSlice{std::size_t{1} << 18, 50};
 
+// A case that weighs as much takes a hundred times as much memory as a small one.
+constexpr std::size_t kLarge = std::size_t{1} << 17;
+
 // Thrown out of a renderer's sink when the run should end.
 struct Stopped {};
 
@@ -37,6 +44,7 @@ struct Stopped {};
 struct Share {
   std::size_t renderer = 0;
   CaseSlice cases;
+  bool is_large = false;
 };
 
 void add_choices(const Choices& choices, Digest& digest) {
@@ -62,29 +70,86 @@ std::string digest_of(const Policy& policy, const std::map<std::string, Policy>&
   return digest.text();
 }
 
+bool is_large(const CaseStore& cases, const CaseSlice& slice) {
+  return slice.end - slice.begin == 1 && cases.weight(slice.begin) >= kLarge;
+}
+
 // All renderers get some slices, as many as there are threads, before any gets the next: few exact
 // renderings wait for the last renderer, and no two threads for the same one.
-std::vector<Share> shares_of(const std::vector<Case>& cases, std::size_t renderers,
-                             std::size_t jobs) {
+std::vector<Share> shares_of(const CaseStore& cases, std::size_t renderers, std::size_t jobs) {
   const std::vector<CaseSlice> slices = cut_cases(cases, kSlice);
   std::vector<Share> shares;
   for (std::size_t begin = 0; begin < slices.size(); begin += jobs)
     for (std::size_t r = 0; r < renderers; ++r)
       for (std::size_t i = begin; i < std::min(begin + jobs, slices.size()); ++i)
-        shares.push_back({r, slices[i]});
+        shares.push_back({r, slices[i], is_large(cases, slices[i])});
   return shares;
 }
+
+// Hands out shares to threads: in their order to one thread; to several, large ones first, and few
+// at a time, which takes the least memory and lets no large one wait to the end. Safe to use from
+// several threads.
+class Counter {
+ public:
+  explicit Counter(std::vector<Share> shares, std::size_t jobs)
+      : shares_(std::move(shares)), most_large_(std::max<std::size_t>(1, jobs / 2)) {
+    if (jobs == 1) return;
+    const auto others =
+        std::ranges::stable_partition(shares_, [](const Share& share) { return share.is_large; });
+    next_ = large_end_ = static_cast<std::size_t>(others.begin() - shares_.begin());
+    // All renderers draw a large case one after the other: what one made of it waits for the last.
+    std::stable_sort(shares_.begin(), others.begin(),
+                     [](const Share& a, const Share& b) { return a.cases.begin < b.cases.begin; });
+  }
+
+  std::size_t size() const { return shares_.size(); }
+
+  // Nothing when there is none left that may be begun now; a thread then has no more to do.
+  std::optional<Share> take() {
+    const std::lock_guard lock(mutex_);
+    if (next_large_ < large_end_ && large_ < most_large_) {
+      ++large_;
+      return shares_[next_large_++];
+    }
+    if (next_ == shares_.size()) return std::nullopt;
+    return shares_[next_++];
+  }
+
+  // What was taken is done.
+  void finish(const Share& share) {
+    const std::lock_guard lock(mutex_);
+    if (!share.is_large) return;
+    if (large_end_ > 0) --large_;
+    malloc_trim(0);  // what it took goes back to the system
+  }
+
+  // Nothing is handed out any more.
+  void close() {
+    const std::lock_guard lock(mutex_);
+    next_ = shares_.size();
+    next_large_ = large_end_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<Share> shares_;
+  const std::size_t most_large_;  // at a time
+  std::size_t large_ = 0;         // that are being done
+  std::size_t next_large_ = 0;
+  std::size_t large_end_ = 0;
+  std::size_t next_ = 0;  // of the others
+};
 
 class Run {
  public:
   Run(const Suite& suite, const RunOptions& options)
       : suite_(suite),
         options_(options),
-        comparison_(suite, options),
+        comparison_(suite.cases.size(), options),
         infos_(options.renderers.size()),
         results_(suite.cases.size()),
         unanswered_(suite.cases.size()),
-        described_(suite.cases.size()) {
+        shelved_(suite.cases.size()) {
     for (auto& renderers : unanswered_) renderers = options.renderers.size();
     for (auto& results : results_) results.resize(options.renderers.size());
     for (std::size_t r = 0; r < infos_.size(); ++r)
@@ -93,11 +158,12 @@ class Run {
 
   Results operator()() {
     const auto jobs = static_cast<std::size_t>(std::max(1, options_.jobs));
-    shares_ = shares_of(suite_.cases, options_.renderers.size(), jobs);
+    Counter shares(shares_of(suite_.cases, options_.renderers.size(), jobs), jobs);
     std::vector<std::thread> threads;
-    for (std::size_t i = 0; i < std::min(jobs, shares_.size()); ++i)
-      threads.emplace_back([this] { work(); });
+    for (std::size_t i = 0; i < std::min(jobs, shares.size()); ++i)
+      threads.emplace_back([&] { work(shares); });
     for (std::thread& thread : threads) thread.join();
+    if (fault_) std::rethrow_exception(fault_);
     if (enough_) finish_begun_cases();
     return collect();
   }
@@ -107,18 +173,23 @@ class Run {
 
   bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
-  void work() {
+  void work(Counter& shares) {
     Renderers own;
-    for (std::size_t next = next_share_++; next < shares_.size() && !stopped() && !enough_;
-         next = next_share_++) {
-      const Share& share = shares_[next];
-      std::vector<std::size_t> cases(share.cases.end - share.cases.begin);
-      std::iota(cases.begin(), cases.end(), share.cases.begin);
-      try {
-        render_cases(share.renderer, cases, renderer_of(share.renderer, own));
-      } catch (const Stopped&) {
-        return;
+    try {
+      while (!stopped() && !enough_) {
+        const std::optional<Share> share = shares.take();
+        if (!share) return;
+        std::vector<std::size_t> cases(share->cases.end - share->cases.begin);
+        std::iota(cases.begin(), cases.end(), share->cases.begin);
+        render_cases(share->renderer, cases, renderer_of(share->renderer, own));
+        shares.finish(*share);
       }
+    } catch (const Stopped&) {
+    } catch (...) {
+      // The shelf has no room, for instance.
+      const std::lock_guard lock(mutex_);
+      fault_ = std::current_exception();
+      shares.close();
     }
   }
 
@@ -153,9 +224,10 @@ class Run {
   }
 
   void render_cases(std::size_t index, const std::vector<std::size_t>& cases, Renderer& renderer) {
+    std::vector<Case> asked_cases;
+    for (const std::size_t i : cases) asked_cases.push_back(suite_.cases[i]);
     std::vector<Task> tasks;
-    tasks.reserve(cases.size());
-    for (const std::size_t i : cases) tasks.push_back({suite_.cases[i].id, &suite_.cases[i].scene});
+    for (const Case& one : asked_cases) tasks.push_back({one.id, &one.scene});
     auto asked = std::chrono::steady_clock::now();
     try {
       renderer.render(tasks, [&](std::size_t i, Outcome outcome) {
@@ -163,10 +235,10 @@ class Run {
         // A failure may come from being stopped itself.
         if (stopped() && std::holds_alternative<Failure>(outcome)) throw Stopped{};
         std::unique_ptr<Result>& result = results_[cases[i]][index];
-        result = std::make_unique<Result>(
-            comparison_.compare_outcome(cases[i], std::move(outcome), renderer.info()));
-        count_unexpected(cases[i], renderer.info(), *result);
-        if (--unanswered_[cases[i]] == 0) complete(cases[i]);
+        result = std::make_unique<Result>(comparison_.compare_outcome(
+            cases[i], asked_cases[i], std::move(outcome), renderer.info()));
+        count_unexpected(cases[i], asked_cases[i], renderer.info(), *result);
+        if (--unanswered_[cases[i]] == 0) complete(cases[i], asked_cases[i]);
         report_progress();
         if (stopped() || (enough_ && !is_finishing_)) throw Stopped{};
         asked = std::chrono::steady_clock::now();
@@ -194,12 +266,13 @@ class Run {
   }
 
   // Counts a case once, however many renderers answer it unexpectedly.
-  void count_unexpected(std::size_t at, const RendererInfo& info, const Result& result) {
+  void count_unexpected(std::size_t at, const Case& one, const RendererInfo& info,
+                        const Result& result) {
     if (options_.max_unexpected == 0 || enough_) return;
     std::vector<const KnownFault*> faults;
     if (const KnownFaults* known = faults_about(options_.known, info))
       faults = faults_of(*known, info);
-    if (!is_surely_unexpected(suite_.cases[at], result, options_.policy.latitude, faults)) return;
+    if (!is_surely_unexpected(one, result, options_.policy.latitude, faults)) return;
     const std::lock_guard lock(mutex_);
     unexpected_.insert(at);
     if (unexpected_.size() >= options_.max_unexpected) enough_ = true;
@@ -212,17 +285,17 @@ class Run {
 
   // Exact renderings are the bulk of what a run holds: each is kept until the last renderer has
   // been held against it.
-  void complete(std::size_t index) {
-    CaseResults& one = described_[index] = describe(index);
+  void complete(std::size_t index, const Case& answered) {
+    CaseResults one = describe(index, answered);
     comparison_.forget(index);
     one.results.reserve(infos_.size());
     for (auto& result : std::exchange(results_[index], {}))
       one.results.emplace_back(std::move(*result));
+    shelved_[index].emplace(one, shelf_);
   }
 
-  CaseResults describe(std::size_t index) {
-    const Case& one = suite_.cases[index];
-    const ExactSide& side = comparison_.exact(index);
+  CaseResults describe(std::size_t index, const Case& one) {
+    const ExactSide& side = comparison_.exact(index, one.scene);
     const Rendering& exact = side.rendering;
     CaseResults result;
     result.id = one.id;
@@ -233,7 +306,6 @@ class Run {
     result.origin = one.origin;
     result.tags = one.tags;
     result.file = one.file.generic_string();
-    result.source = one.source;
     result.file_digest = digest_of_text(*one.source);
     result.surface = name_of(one.scene.target.surface);
     result.width = exact.width;
@@ -251,16 +323,11 @@ class Run {
     return result;
   }
 
-  // In their order, and where they are: a list of all of them is large.
-  std::vector<CaseResults> take_complete_cases() {
-    std::size_t complete = 0;
-    for (std::size_t i = 0; i < described_.size(); ++i) {
-      if (unanswered_[i] > 0) continue;
-      if (complete != i) described_[complete] = std::move(described_[i]);
-      ++complete;
-    }
-    described_.resize(complete);
-    return std::move(described_);
+  CaseList take_complete_cases() {
+    std::vector<ShelvedCase> complete;
+    for (auto& one : std::exchange(shelved_, {}))
+      if (one) complete.push_back(std::move(*one));
+    return CaseList(std::move(complete));
   }
 
   Results collect() {
@@ -285,12 +352,12 @@ class Run {
   // By case, then renderer, of cases that not all have answered.
   std::vector<std::vector<std::unique_ptr<Result>>> results_;
   std::vector<std::atomic<std::size_t>> unanswered_;  // by case: renderers
-  std::vector<CaseResults> described_;                // cases that all have answered
-  std::vector<Share> shares_;
-  std::atomic<std::size_t> next_share_ = 0;
+  std::vector<std::optional<ShelvedCase>> shelved_;   // cases that all have answered
+  const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
   std::atomic<std::size_t> done_ = 0;
   std::atomic<bool> enough_ = false;  // cases are unexpected
   bool is_finishing_ = false;         // what was begun before that
+  std::exception_ptr fault_;          // that ends the run
   std::set<std::size_t> unexpected_;  // cases, where their number matters
   std::mutex mutex_;
 };

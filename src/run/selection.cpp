@@ -118,24 +118,15 @@ std::vector<std::string> known_rule_ids() {
 }
 
 // Ids, and texts of files, each of which stands with all of its cases.
-std::string digest_of(const std::vector<Case>& cases) {
+std::string digest_of(const CaseStore& cases) {
   Digest digest;
-  const SharedText* text = nullptr;
+  std::optional<SharedText> text;
   for (const Case& one : cases) {
     digest.add(one.id);
-    if (text == nullptr || *text != one.source) digest.add(*one.source);
-    text = &one.source;
+    if (text != one.source) digest.add(*one.source);
+    text = one.source;
   }
   return digest.text();
-}
-
-// Round robin, so that shards are of one size and each sees every folder.
-void keep_shard(const Shard& shard, std::vector<Case>& cases) {
-  std::vector<Case> kept;
-  for (std::size_t i = 0; i < cases.size(); ++i)
-    if (static_cast<int>(i % static_cast<std::size_t>(shard.count)) == shard.index)
-      kept.push_back(std::move(cases[i]));
-  cases = std::move(kept);
 }
 
 }  // namespace
@@ -172,12 +163,13 @@ Suite load_suite(const Selection& selection) {
   const std::size_t in_files = suite.diagnostics.size() - selection.diagnostics.size();
   keeper.tell(suite.diagnostics);
   suite.is_misspelt = suite.cases.empty() && in_files == 0 && !suite.diagnostics.empty();
-  std::sort(suite.cases.begin(), suite.cases.end(),
-            [](const Case& a, const Case& b) { return a.id < b.id; });
+  suite.cases.sort_by_id();
   if (selection.shard.count > 1)
     suite.share = {selection.shard.index, selection.shard.count, suite.cases.size(),
                    digest_of(suite.cases)};
-  keep_shard(selection.shard, suite.cases);
+  // Round robin, so that shards are of one size and each sees every folder.
+  suite.cases.keep_share(static_cast<std::size_t>(selection.shard.index),
+                         static_cast<std::size_t>(selection.shard.count));
   return suite;
 }
 

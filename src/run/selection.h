@@ -13,6 +13,7 @@
 
 #include "model/case.h"
 #include "results/results.h"
+#include "run/case_store.h"
 #include "run/named_cases.h"
 
 namespace edgecase {
@@ -41,7 +42,7 @@ struct Selection {
 };
 
 struct Suite {
-  std::vector<Case> cases;              // sorted by id
+  CaseStore cases;                      // sorted by id
   std::vector<Diagnostic> diagnostics;  // what could not be loaded, and two cases of one id
   std::vector<Diagnostic> notes;        // no faults: what "~0.1" was taken as
   // Is nothing there but words that name nothing?

@@ -88,7 +88,7 @@ std::size_t SeparationMatrix::least() const {
   return result;
 }
 
-Separation measure_separation(const std::vector<Case>& cases) {
+Separation measure_separation(const CaseStore& cases) {
   Separation result;
   result.cases = cases.size();
   std::vector<std::vector<ResolvedPolicy>> policies;

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "model/case.h"
+#include "run/case_store.h"
 
 namespace edgecase {
 
@@ -35,6 +35,6 @@ struct Separation {
 };
 
 // Beside the rule in question, policy `opengl` holds.
-Separation measure_separation(const std::vector<Case>& cases);
+Separation measure_separation(const CaseStore& cases);
 
 }  // namespace edgecase

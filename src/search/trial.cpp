@@ -57,16 +57,12 @@ std::vector<Signature> signatures_of(const Result& result, Surface surface) {
     return {signature};
   }
   if (result.disagreements.empty() && result.values.empty()) return {};
-  // Clusters of a run with only this result.
-  Results run;
-  run.cases.resize(1);
-  CaseResults& one = run.cases.front();
+  CaseResults one;
   one.surface = name_of(surface);
-  one.results.resize(1);
-  one.results.front().disagreements = result.disagreements;
-  one.results.front().values = result.values;
+  ClusterGatherer gatherer;
+  gatherer.add(one, result);
   std::vector<Signature> signatures;
-  for (const Cluster& cluster : clusters_of(run, 0)) {
+  for (const Cluster& cluster : gatherer.take()) {
     if (cluster.cause.empty() || cluster.legality == Legality::legal)
       signatures.push_back(signature_of(cluster));
     else

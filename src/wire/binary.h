@@ -19,6 +19,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "model/renderer.h"
@@ -135,7 +136,7 @@ template <class T>
 void carry(Reader& io, std::optional<T>& value) {
   bool is_there = false;
   carry(io, is_there);
-  if (is_there) carry(io, value.emplace());
+  if (is_there) carry(io, value.emplace(T{}));
 }
 
 template <class Key, class T>
@@ -159,6 +160,11 @@ void carry(Reader& io, std::map<Key, T>& values) {
 template <class Io, class... Members>
 void carry_all(Io& io, Members&... members) {
   (carry(io, members), ...);
+}
+
+template <class Io, Of<std::pair<double, double>> T>
+void carry(Io& io, T& pair) {
+  carry_all(io, pair.first, pair.second);
 }
 
 // Scenes and renderings; a scene goes field by field (model/scene_fields.h).

@@ -27,7 +27,7 @@ ALLOWED = {
     "recording": {"wire", "model", "exact"},
     "image": {"model", "exact"},
     "diff": {"raster", "rules", "model", "exact"},
-    "results": {"rules", "model"},
+    "results": {"wire", "rules", "model"},
     "run": SRC - {"generate", "profile", "search"},
     "generate": {"raster", "rules", "model", "exact"},
     "profile": SRC,

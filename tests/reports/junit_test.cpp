@@ -10,6 +10,7 @@
 
 #include "reports/ctrf.h"
 #include "tests/reports/sample.h"
+#include "tests/support/edit.h"
 
 namespace edgecase {
 namespace {
@@ -27,9 +28,10 @@ Results single(const Result& result) {
   results.policy = "opengl";
   results.renderers.resize(1);
   results.renderers[0].name = "osmesa:llvmpipe";
-  results.cases.resize(1);
-  results.cases[0].id = "lines/a/tip";
-  results.cases[0].results = {result};
+  CaseResults one;
+  one.id = "lines/a/tip";
+  one.results = {result};
+  results.cases.push_back(one);
   return results;
 }
 
@@ -134,7 +136,7 @@ TEST(Junit, ClassIsTheRendererAndTheFolder) {
 TEST(Junit, ARendererNamedTwiceHasTwoSuites) {
   Results results = single(result_of(Verdict::agree, Standing::expected));
   results.renderers.push_back(results.renderers[0]);
-  results.cases[0].results.push_back(results.cases[0].results[0]);
+  edit(results.cases, 0)->results.push_back(results.cases[0].results[0]);
   const auto document = parse(junit_of(results));
   std::set<std::string> names;
   for (pugi::xml_node suite : document.child("testsuites").children("testsuite"))

@@ -28,7 +28,7 @@ Results large_run(std::size_t cases, int disagreements) {
     one.file = "cases/lines/directions/all-round-the-clock.json";
     one.rules = {"line.diamond-exit"};
     one.results.resize(1);
-    KnownResult& result = one.results[0];
+    Result& result = one.results[0];
     result.verdict = Verdict::violation;
     result.standing = Standing::unexpected;
     result.fingerprint = "0123456789abcdef";

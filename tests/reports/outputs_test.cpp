@@ -24,6 +24,7 @@
 #include "reports/text.h"
 #include "tests/reports/large_run.h"
 #include "tests/reports/sample.h"
+#include "tests/support/edit.h"
 
 namespace edgecase {
 namespace {
@@ -68,16 +69,18 @@ std::size_t lines_in(const std::string& text) {
 // One renderer, one case, one disagreement, unexpected.
 Results single() {
   Results results = sample::large_run(1, 1);
-  results.cases[0].id = "lines/tip";
-  results.cases[0].file = "cases/lines/tip.json";
-  results.cases[0].results[0].disagreements[0].explanation = "It differs.";
+  results.cases.change(0, [](CaseResults& one) {
+    one.id = "lines/tip";
+    one.file = "cases/lines/tip.json";
+    one.results[0].disagreements[0].explanation = "It differs.";
+  });
   return results;
 }
 
 TEST(Outcomes, ASuiteNamedTwiceAndATestNamedTwiceAreNumbered) {
   Results results = single();
   results.renderers.push_back(results.renderers[0]);
-  results.cases[0].results.push_back(results.cases[0].results[0]);
+  edit(results.cases, 0)->results.push_back(results.cases[0].results[0]);
   results.cases.push_back(results.cases[0]);
   std::vector<std::string> names;
   visit_outcomes(results, [&names](const TestOutcome& outcome) {
@@ -95,14 +98,15 @@ Results side_by_side(Standing of_contested) {
   const Verdict verdicts[] = {Verdict::permitted, Verdict::contested, Verdict::violation};
   const Legality legalities[] = {Legality::legal, Legality::contested, Legality::illegal};
   for (std::size_t i = 0; i < 3; ++i) {
-    CaseResults& one = results.cases[i];
+    CaseResults one = results.cases[i];
     one.id = fmt::format("lines/{}", name_of(verdicts[i]));
     one.file = "cases/" + one.id + ".json";
-    KnownResult& result = one.results[0];
+    Result& result = one.results[0];
     result.verdict = verdicts[i];
     result.standing = verdicts[i] == Verdict::contested ? of_contested : Standing::unexpected;
     result.disagreements[0].legality = legalities[i];
     result.disagreements[0].explanation = fmt::format("It is {}.", name_of(verdicts[i]));
+    results.cases.replace(i, one);
   }
   return results;
 }
@@ -125,13 +129,15 @@ TEST(Outcomes, WhatIsContestedPassesWithAMessageAndFailsWhereItIsHeld) {
 
 TEST(Outcomes, DetailsTellWhatIsNotAllowedFirst) {
   Results results = single();
-  auto& list = results.cases[0].results[0].disagreements;
-  list.resize(3, list[0]);
   const Legality legalities[] = {Legality::legal, Legality::contested, Legality::illegal};
-  for (std::size_t i = 0; i < 3; ++i) {
-    list[i].x = static_cast<int>(i);
-    list[i].legality = legalities[i];
-  }
+  results.cases.change(0, [&](CaseResults& one) {
+    auto& list = one.results[0].disagreements;
+    list.resize(3, list[0]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      list[i].x = static_cast<int>(i);
+      list[i].legality = legalities[i];
+    }
+  });
   visit_outcomes(results, [](const TestOutcome& outcome) {
     const std::size_t illegal = outcome.details.find("pixel (2, 0)");
     const std::size_t contested = outcome.details.find("pixel (1, 0)");
@@ -184,7 +190,7 @@ TEST(Annotations, WhatIsContestedIsAWarningAfterTheErrors) {
 
 TEST(Annotations, AFileMayFailAndBeContested) {
   Results results = side_by_side(Standing::tolerated);
-  for (CaseResults& one : results.cases) one.file = "cases/all.json";
+  edit_each(results.cases, [](CaseResults& one) { one.file = "cases/all.json"; });
   const std::string text = annotations_of(results);
   EXPECT_EQ(lines_in(text), 2u);
   EXPECT_THAT(text, StartsWith("::error file=cases/all.json,line=1,title=lines/violation"));
@@ -231,16 +237,17 @@ TEST(Outcomes, LargeRunsStaySmall) {
 TEST(Outcomes, LargeRunsOfFourRenderersStaySmall) {
   Results results = sample::large_run(20'000, 1);
   results.renderers.assign(4, results.renderers[0]);
-  for (CaseResults& one : results.cases) one.results.assign(4, one.results[0]);
+  edit_each(results.cases,
+            [](CaseResults& one) { one.results = std::vector<Result>(4, one.results[0]); });
   EXPECT_LT(junit_of(results).size(), 30'000'000u);
   EXPECT_LT(markdown_of(results).size(), 100'000u);
 }
 
 TEST(Outcomes, PassingRunsTakeLittle) {
   Results results = sample::large_run(20'000, 0);
-  for (CaseResults& one : results.cases) {
-    one.results[0].verdict = Verdict::agree;
-    one.results[0].standing = Standing::expected;
+  for (std::size_t i = 0; i < results.cases.size(); ++i) {
+    results.cases.answer(i, 0).verdict = Verdict::agree;
+    results.cases.answer(i, 0).standing = Standing::expected;
   }
   EXPECT_LT(junit_of(results).size(), 5'000'000u);
   EXPECT_LT(ctrf_of(results).size(), 9'000'000u);
@@ -282,17 +289,19 @@ TEST(Csv, HasARowForEachDisagreement) {
 
 TEST(Csv, NumbersKeepTheirDigits) {
   Results results = single();
-  Disagreement& d = results.cases[0].results[0].disagreements[0];
-  d.exact = {0.1, 1};
-  d.rendered = {0.30000000000000004, std::numeric_limits<double>::infinity()};
+  results.cases.change(0, [](CaseResults& one) {
+    Disagreement& d = one.results[0].disagreements[0];
+    d.exact = {0.1, 1};
+    d.rendered = {0.30000000000000004, std::numeric_limits<double>::infinity()};
+  });
   EXPECT_THAT(csv_of(results), HasSubstr(",0.1 1,0.30000000000000004 inf,It differs.,"));
 }
 
 TEST(Annotations, EscapeWhatWouldEndThem) {
   Results results = single();
-  results.cases[0].id = "a,b:c%d\n::warning::e";
-  results.cases[0].file = "cases/a,b:c%d.json";
-  results.cases[0].results[0].disagreements[0].explanation = "100 %\n::error::no";
+  edit(results.cases, 0)->id = "a,b:c%d\n::warning::e";
+  edit(results.cases, 0)->file = "cases/a,b:c%d.json";
+  edit(results.cases, 0)->results[0].disagreements[0].explanation = "100 %\n::error::no";
   const std::string text = annotations_of(results);
   EXPECT_EQ(lines_in(text), 1u);
   EXPECT_THAT(text, StartsWith("::error file=cases/a%2Cb%3Ac%25d.json,line=1,title=a%2Cb%3Ac%25d"));
@@ -301,12 +310,13 @@ TEST(Annotations, EscapeWhatWouldEndThem) {
 
 TEST(Annotations, TheHeaviestTenAndHowManyMore) {
   Results results = sample::large_run(14, 1);
-  for (int i = 0; i < 14; ++i) {
-    CaseResults& one = results.cases[static_cast<std::size_t>(i)];
+  for (std::size_t i = 0; i < 14; ++i) {
+    CaseResults one = results.cases[i];
     one.file = fmt::format("cases/{:02}.json", i);
-    KnownResult& result = one.results[0];
+    Result& result = one.results[0];
     result.verdict = i == 9 ? Verdict::violation : Verdict::permitted;
-    for (int x = 0; x < i; ++x) result.disagreements.push_back(result.disagreements[0]);
+    result.disagreements.resize(1 + i, result.disagreements[0]);
+    results.cases.replace(i, one);
   }
   const std::string text = annotations_of(results);
   EXPECT_EQ(lines_in(text), 11u);
@@ -325,7 +335,7 @@ TEST(Annotations, OneForAllCasesOfAFile) {
 TEST(Annotations, BrokenFilesAndUnmetDrawingsComeFirstWithTheirLines) {
   Results results = single();
   results.diagnostics = {{"cases/broken.json", 7, "/draws", "is no list", "write one"}};
-  results.cases[0].expect_failures = {"cases/lines/tip.json:23: /expect/0: wrong"};
+  edit(results.cases, 0)->expect_failures = {"cases/lines/tip.json:23: /expect/0: wrong"};
   const std::string text = annotations_of(results);
   EXPECT_THAT(text, StartsWith("::error file=cases/broken.json,line=7,"));
   EXPECT_THAT(text, HasSubstr("\n::error file=cases/lines/tip.json,line=23,"));
@@ -344,8 +354,8 @@ TEST(Markdown, CodeHoldsAnything) {
 
 TEST(Markdown, TellsWhatIsUnexpectedWorstFirst) {
   Results results = sample::large_run(60, 1);
-  results.cases[58].results[0].verdict = Verdict::permitted;
-  results.cases[0].results[0].verdict = Verdict::convention;
+  results.cases.answer(58, 0).verdict = Verdict::permitted;
+  results.cases.answer(0, 0).verdict = Verdict::convention;
   const std::string text = markdown_of(results);
   EXPECT_THAT(text, HasSubstr("| `osmesa:softpipe` | 58 | 0 | 1 | 1 | 0 | 0 | **60** |"));
   EXPECT_THAT(text, HasSubstr("## Unexpected: 60\n"));
@@ -356,7 +366,7 @@ TEST(Markdown, TellsWhatIsUnexpectedWorstFirst) {
 // Names that long are cut, and even as many renderers as no run has do not make the page too long.
 TEST(Markdown, IsNeverTooLong) {
   Results results = sample::large_run(2, 1);
-  results.cases[0].id = std::string(10'000, 'n');
+  edit(results.cases, 0)->id = std::string(10'000, 'n');
   EXPECT_LT(markdown_of(results).size(), 10'000u);
   results.renderers.assign(40'000, results.renderers[0]);
   const std::string text = markdown_of(results);

@@ -124,12 +124,10 @@ TEST(Ramp, WhereExactHasNoNumberNothingIsMeasured) {
 }
 
 json answer_for(const Ramp& ramp) {
-  Results results;
-  results.renderers.resize(1);
-  results.cases.resize(1);
-  results.cases[0].results.resize(1);
-  results.cases[0].results[0].ramp = ramp;
-  return sample::details_of(results.cases[0])["answers"][0];
+  CaseResults one;
+  one.results.resize(1);
+  one.results[0].ramp = ramp;
+  return sample::details_of(one)["answers"][0];
 }
 
 TEST(Ramp, TheReportHoldsItAsFloats) {
@@ -175,10 +173,7 @@ TEST(Ramp, TheReportHoldsCausesWhereTheBandIsLeft) {
 TEST(Ramp, AnswersDifferByTheirLevels) {
   int ramps = 0;
   for (const CaseResults& one : sample::ramp_cases()) {
-    Results results;
-    results.renderers.resize(one.results.size());
-    results.cases = {one};
-    const json shown = sample::details_of(results.cases[0]);
+    const json shown = sample::details_of(one);
     for (std::size_t i = 0; i < one.results.size(); ++i) {
       const json& answer = shown["answers"][shown["results"][i]["answer"].get<std::size_t>()];
       ASSERT_EQ(answer.contains("ramp"), !one.results[i].ramp.empty());

@@ -21,12 +21,12 @@ namespace {
 
 using nlohmann::json;
 
-Results only(CaseResults one) {
+Results only(const CaseResults& one) {
   Results results;
   results.renderers.resize(one.results.size());
   for (std::size_t r = 0; r < one.results.size(); ++r)
     results.renderers[r].name = "r" + std::to_string(r);
-  results.cases = {std::move(one)};
+  results.cases.push_back(one);
   return results;
 }
 
@@ -142,7 +142,7 @@ TEST(ReportSamples, WithoutMultisamplingNoSampleIsNamed) {
 
 TEST(ReportSamples, TextAndJunitNameTheSample) {
   const Results results = only(sample::multisampled_case());
-  const Result& missing = results.cases[0].results[1];
+  const Result missing = results.cases[0].results[1];
   EXPECT_THAT(describe(missing.disagreements[1], 4),
               testing::StartsWith("pixel (3, 3), sample 0, primitive 0, missing, "));
   EXPECT_THAT(describe(missing.disagreements[0], 4),
@@ -154,9 +154,10 @@ TEST(ReportSamples, TextAndJunitNameTheSample) {
 }
 
 TEST(ReportSamples, TheSummaryNamesTheSample) {
-  Results results = only(sample::multisampled_case());
-  std::vector<Disagreement>& listed = results.cases[0].results[1].disagreements;
+  CaseResults one = sample::multisampled_case();
+  std::vector<Disagreement>& listed = one.results[1].disagreements;
   listed.erase(listed.begin());
+  const Results results = only(one);
   std::ostringstream summary;
   write_summary(results, false, summary);
   EXPECT_THAT(summary.str(), testing::HasSubstr("pixel (3, 3), sample 0: exact draws sample 0"));

@@ -11,6 +11,7 @@
 #include "reports/explain_command.h"
 #include "tests/reports/sample.h"
 #include "tests/support/causes.h"
+#include "tests/support/edit.h"
 
 namespace edgecase {
 namespace {
@@ -36,11 +37,10 @@ TEST(Summary, TableHasEveryVerdictAndRenderer) {
 Results agreeing(std::size_t count, std::size_t renderers) {
   Results results;
   results.renderers.resize(renderers);
-  results.cases.resize(count);
-  for (CaseResults& one : results.cases) {
-    one.results.resize(renderers);
-    for (KnownResult& result : one.results) result.verdict = Verdict::agree;
-  }
+  CaseResults one;
+  one.results.resize(renderers);
+  for (Result& result : one.results) result.verdict = Verdict::agree;
+  for (std::size_t i = 0; i < count; ++i) results.cases.push_back(one);
   return results;
 }
 
@@ -56,9 +56,9 @@ TEST(Summary, TheFirstLineSaysHowTheRunEnded) {
   EXPECT_EQ(first_line_of(agreeing(1, 1), 0.42), "1 case, 1 renderer: 0 unexpected, 0.4 s");
   EXPECT_EQ(first_line_of(agreeing(2, 1), {}), "2 cases, 1 renderer: 0 unexpected");
   Results results = agreeing(2, 2);
-  results.cases[1].results[0].standing = Standing::unexpected;
-  results.cases[1].results[1].standing = Standing::flake;
-  results.cases[0].expect_failures = {"drawn", "otherwise"};
+  results.cases.answer(1, 0).standing = Standing::unexpected;
+  results.cases.answer(1, 1).standing = Standing::flake;
+  edit(results.cases, 0)->expect_failures = {"drawn", "otherwise"};
   results.diagnostics.resize(1);
   results.faults.resize(3);
   results.faults[1].state = results.faults[2].state = FaultState::grown;
@@ -71,9 +71,9 @@ TEST(Summary, TheFirstLineSaysHowTheRunEnded) {
 TEST(Summary, TheFirstLineHasTheColourOfTheOutcome) {
   Results results = agreeing(1, 1);
   EXPECT_TRUE(summary_of(results, true).starts_with("\x1b[32m1 case, 1 renderer: 0 unexpected"));
-  results.cases[0].results[0].standing = Standing::unexpected;
+  results.cases.answer(0, 0).standing = Standing::unexpected;
   EXPECT_TRUE(summary_of(results, true).starts_with("\x1b[1m\x1b[31m1 case")) << "bold and red";
-  results.cases[0].results[0].standing = Standing::expected;
+  results.cases.answer(0, 0).standing = Standing::expected;
   results.diagnostics.resize(1);
   EXPECT_TRUE(summary_of(results, true).starts_with("\x1b[1m\x1b[31m1 case"));
 }
@@ -106,9 +106,9 @@ TEST(Summary, SaysWhatIsMissing) {
 TEST(Summary, TellsBothAnswersOfAFlake) {
   Results results = agreeing(1, 1);
   results.renderers[0].name = "exec:./mine";
-  results.cases[0].id = "a";
-  results.cases[0].results[0].standing = Standing::flake;
-  results.cases[0].results[0].standing_reason = "it answered this, and then that";
+  edit(results.cases, 0)->id = "a";
+  results.cases.answer(0, 0).standing = Standing::flake;
+  results.cases.answer(0, 0).standing_reason = "it answered this, and then that";
   EXPECT_THAT(summary_of(results, false),
               HasSubstr("  1 case, exec:./mine: agree, and then another answer\n"
                         "    a: it answered this, and then that\n"));
@@ -119,7 +119,7 @@ TEST(Summary, TellsWhatTheRunShowsOfKnownFaults) {
   results.renderers[0].name = "egl:llvmpipe";
   const auto text = [&](FaultState state, std::size_t cases, std::optional<std::size_t> before) {
     results.faults = {{"egl:llvmpipe", "joints", "why", "", cases, before, state}};
-    results.cases[0].results[0].faults = {"joints"};
+    results.cases.answer(0, 0).faults = {"joints"};
     return summary_of(results, false);
   };
   const std::string known = text(FaultState::known, 1, 1);
@@ -138,7 +138,7 @@ TEST(Summary, TellsWhatIsNotSupportedByReason) {
   Results results = agreeing(10, 1);
   results.renderers[0].name = "egl:llvmpipe";
   for (std::size_t i = 0; i < 9; ++i)
-    results.cases[i].results[0].failure =
+    results.cases.answer(i, 0).failure =
         Failure{FailureKind::unsupported, i < 2 ? "no blending" : std::to_string(i)};
   const std::string text = summary_of(results, false);
   EXPECT_THAT(text, HasSubstr("\nNot supported by egl:llvmpipe: 2 cases: no blending.\n"
@@ -168,13 +168,14 @@ TEST(Summary, GroupsWhatIsUnexpectedByCause) {
   for (int i = 0; i < 12; ++i)
     results.cases.push_back(wrong_case("case-" + std::to_string(i), i, false));
   results.cases.push_back(wrong_case("allowed", 3, true));
-  results.cases.push_back(wrong_case("partly", 3, false));
-  results.cases.back().results[0].faults = {"joints"};
-  results.cases.push_back(wrong_case("dies", 3, false));
-  KnownResult& dies = results.cases.back().results[0];
-  dies.disagreements.clear();
-  dies.verdict = Verdict::not_run;
-  dies.failure = Failure{FailureKind::crashed, "exit status 7"};
+  CaseResults partly = wrong_case("partly", 3, false);
+  partly.results[0].faults = {"joints"};
+  results.cases.push_back(partly);
+  CaseResults dies = wrong_case("dies", 3, false);
+  dies.results[0].disagreements.clear();
+  dies.results[0].verdict = Verdict::not_run;
+  dies.results[0].failure = Failure{FailureKind::crashed, "exit status 7"};
+  results.cases.push_back(dies);
   EXPECT_THAT(summary_of(results, false), HasSubstr(R"(
 Unexpected, by cause:
   12 cases, exec:./mine: violation, not known
@@ -200,9 +201,10 @@ Unexpected, by cause:
 TEST(Summary, TellsAnAnswerByWhatIsNotLegalInIt) {
   Results results;
   results.renderers.resize(1);
-  results.cases = {wrong_case("a", 1, true)};
-  std::vector<Disagreement>& listed = results.cases[0].results[0].disagreements;
-  listed.push_back(sample::disagreement(5, 0, DisagreementKind::missing, false));
+  CaseResults one = wrong_case("a", 1, true);
+  one.results[0].disagreements.push_back(
+      sample::disagreement(5, 0, DisagreementKind::missing, false));
+  results.cases.push_back(one);
   EXPECT_THAT(summary_of(results, false),
               HasSubstr("line.diamond-exit missing, fbo\n    a: pixel (5, 0): "));
 }
@@ -211,9 +213,10 @@ TEST(Summary, ListsTenCausesAndTheSimplestCaseOfEach) {
   Results results;
   results.renderers.resize(1);
   for (int i = 0; i < 23; ++i) {
-    results.cases.push_back(wrong_case("case-" + std::to_string(i), 0, false));
-    results.cases.back().results[0].disagreements[0].situation = "place " + std::to_string(i % 12);
-    results.cases.back().width = 100 - i;
+    CaseResults one = wrong_case("case-" + std::to_string(i), 0, false);
+    one.results[0].disagreements[0].situation = "place " + std::to_string(i % 12);
+    one.width = 100 - i;
+    results.cases.push_back(one);
   }
   const std::string text = summary_of(results, false);
   EXPECT_THAT(text, HasSubstr("  2 cases, : violation, not known\n"
@@ -260,9 +263,11 @@ TEST(Summary, ShowsWhatIsNotAllowedThenWhatIsContestedThenWhatIsAllowed) {
   Results results = clustered(3);
   const Legality legalities[] = {Legality::legal, Legality::contested, Legality::illegal};
   for (std::size_t i = 0; i < 3; ++i) {
-    auto& list = results.cases[i].results[0].disagreements;
+    CaseResults one = results.cases[i];
+    auto& list = one.results[0].disagreements;
     list.pop_back();  // the one without a cause
     for (Disagreement& d : list) d.legality = legalities[i];
+    results.cases.replace(i, one);
   }
   const std::string text = summary_of(results, false);
   EXPECT_THAT(text, HasSubstr(R"(
@@ -277,8 +282,9 @@ TEST(Summary, ShowsWhatIsNotAllowedThenWhatIsContestedThenWhatIsAllowed) {
 TEST(Summary, ShowsFiveClustersOfEachLegality) {
   const auto with_contested = [](int count) {
     Results results = clustered(count);
-    for (CaseResults& one : results.cases)
+    edit_each(results.cases, [](CaseResults& one) {
       one.results[0].disagreements[2].legality = Legality::contested;
+    });
     return summary_of(results, false);
   };
   const std::string five = with_contested(5);
@@ -295,14 +301,14 @@ TEST(Summary, ShowsFiveClustersOfEachLegality) {
 
 TEST(Summary, WhatIsContestedIsCountedAndNotUnexpected) {
   Results results = clustered(1);
-  KnownResult& result = results.cases[0].results[0];
-  result.verdict = Verdict::contested;
-  result.standing = Standing::tolerated;
+  ResultOutline& answer = results.cases.answer(0, 0);
+  answer.verdict = Verdict::contested;
+  answer.standing = Standing::tolerated;
   EXPECT_THAT(summary_of(results, false), testing::ContainsRegex("contested +1\n"));
   EXPECT_THAT(summary_of(results, false),
               testing::StartsWith("1 case, 1 renderer: 0 unexpected\n"));
   EXPECT_THAT(summary_of(results, false), Not(HasSubstr("Unexpected")));
-  result.standing = Standing::unexpected;
+  answer.standing = Standing::unexpected;
   EXPECT_THAT(summary_of(results, false), HasSubstr("contested, not known\n"));
 }
 
@@ -310,8 +316,8 @@ TEST(Summary, UnexpectedOnesAreListedWorstFirst) {
   Results results = clustered(3);
   const Verdict verdicts[] = {Verdict::permitted, Verdict::contested, Verdict::violation};
   for (std::size_t i = 0; i < 3; ++i) {
-    results.cases[i].results[0].verdict = verdicts[i];
-    results.cases[i].results[0].standing = Standing::unexpected;
+    results.cases.answer(i, 0).verdict = verdicts[i];
+    results.cases.answer(i, 0).standing = Standing::unexpected;
   }
   const std::string text = summary_of(results, false);
   const std::size_t violation = text.find("violation, not known");
@@ -324,7 +330,7 @@ TEST(Summary, UnexpectedOnesAreListedWorstFirst) {
 TEST(Summary, CommandsNameAPolicyOfTheirOwnAndNoFilterWithoutNeed) {
   Results results = clustered(1);
   results.policy = "vulkan-strict";
-  results.cases[0].id = "lines/a";
+  edit(results.cases, 0)->id = "lines/a";
   EXPECT_THAT(summary_of(results, false),
               HasSubstr("edgecase explain cases/lines/a.json --against 'exec:python3 mine.py' "
                         "--pixel 0,1 --policy vulkan-strict\n"));
@@ -334,7 +340,7 @@ TEST(Summary, CommandsNameAPolicyOfTheirOwnAndNoFilterWithoutNeed) {
 
 TEST(Summary, WithoutDifferencesThereAreNoClusters) {
   Results results = clustered(1);
-  results.cases[0].results[0].disagreements.clear();
+  edit(results.cases, 0)->results[0].disagreements.clear();
   EXPECT_THAT(summary_of(results, false), Not(HasSubstr("What differs")));
 }
 
@@ -346,8 +352,8 @@ TEST(Summary, NoTextSteersTheTerminal) {
   EXPECT_THAT(text, Not(HasSubstr("\r")));
   Results hostile = clustered(1);
   hostile.renderers[0].name = "exec:\x1b[2J";
-  hostile.cases[0].file = "a\nb\x1b[2J.json";
-  hostile.cases[0].results[0].disagreements[2].situation = "\x1b[2J";
+  edit(hostile.cases, 0)->file = "a\nb\x1b[2J.json";
+  edit(hostile.cases, 0)->results[0].disagreements[2].situation = "\x1b[2J";
   EXPECT_THAT(summary_of(hostile, false), Not(HasSubstr("\x1b")));
 }
 

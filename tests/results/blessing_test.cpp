@@ -8,6 +8,7 @@
 #include "results/standing.h"
 #include "tests/results/sample_results.h"
 #include "tests/support/causes.h"
+#include "tests/support/edit.h"
 
 namespace edgecase {
 namespace {
@@ -33,12 +34,14 @@ KnownFaults blessed(Results& results, const KnownFaults& current = {"fake", {}})
 TEST(Blessing, MakesOneFaultOfACauseAndOneOfARuleWithoutACause) {
   Results results = results_of({Verdict::violation, Verdict::violation, Verdict::violation,
                                 Verdict::convention, Verdict::not_run});
-  results.cases[0].id = "lines/short:dx=1";
-  results.cases[1].id = "lines/short:dx=2";
-  results.cases[1].results[0].disagreements[0].kind = DisagreementKind::extra;
-  for (Disagreement& d : results.cases[2].results[0].disagreements)
-    d.cause = cause_named("triangle.fill-rule=left-bottom");
-  results.cases[2].results[0].disagreements[1].rule = RuleId::triangle_shared_edge;
+  edit(results.cases, 0)->id = "lines/short:dx=1";
+  edit(results.cases, 1)->id = "lines/short:dx=2";
+  edit(results.cases, 1)->results[0].disagreements[0].kind = DisagreementKind::extra;
+  results.cases.change(2, [](CaseResults& one) {
+    std::vector<Disagreement>& listed = one.results[0].disagreements;
+    for (Disagreement& d : listed) d.cause = cause_named("triangle.fill-rule=left-bottom");
+    listed[1].rule = RuleId::triangle_shared_edge;
+  });
   const auto changes = plan(results, {"fake", {}}, {{}, "because", "https://example.org"});
   ASSERT_EQ(changes.size(), 3u);
   for (const FaultChange& change : changes) {
@@ -74,17 +77,17 @@ TEST(Blessing, WhatWasBlessedIsKnown) {
 
 TEST(Blessing, LeavesOutWhatWasNotAskedAndFlakes) {
   Results results = results_of({Verdict::not_run, Verdict::not_run, Verdict::violation});
-  results.cases[0].results[0].failure = Failure{FailureKind::unsupported, "too large"};
-  results.cases[1].results[0].failure = Failure{FailureKind::unavailable, "not recorded"};
-  results.cases[2].results[0].again = Judgement{Verdict::agree, ""};
+  results.cases.answer(0, 0).failure = Failure{FailureKind::unsupported, "too large"};
+  results.cases.answer(1, 0).failure = Failure{FailureKind::unavailable, "not recorded"};
+  results.cases.answer(2, 0).again = Judgement{Verdict::agree, ""};
   EXPECT_TRUE(plan(results, {"fake", {}}).empty());
 }
 
 TEST(Blessing, OfSomeCasesLeavesTheOthersOfTheirFile) {
   Results results = results_of({Verdict::violation, Verdict::violation, Verdict::violation});
-  results.cases[0].id = "lines/short:dx=1";
-  results.cases[1].id = "lines/short:dx=2";
-  results.cases[2].id = "lines/long";
+  edit(results.cases, 0)->id = "lines/short:dx=1";
+  edit(results.cases, 1)->id = "lines/short:dx=2";
+  edit(results.cases, 2)->id = "lines/long";
   const auto changes =
       plan(results, {"fake", {}},
            {[](const std::string& id) { return id != "lines/short:dx=2"; }, "", ""});

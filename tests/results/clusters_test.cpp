@@ -10,6 +10,7 @@
 #include "results/results_json.h"
 #include "tests/results/sample_results.h"
 #include "tests/support/causes.h"
+#include "tests/support/edit.h"
 
 namespace edgecase {
 namespace {
@@ -53,11 +54,11 @@ CaseResults case_of(const std::string& id, std::size_t primitives, int size,
   return one;
 }
 
-Results results_of(std::vector<CaseResults> cases) {
+Results results_of(const std::vector<CaseResults>& cases) {
   Results results;
   results.renderers.resize(1);
   results.renderers[0].name = "fake";
-  results.cases = std::move(cases);
+  results.cases = list_of(cases);
   return results;
 }
 
@@ -116,7 +117,7 @@ TEST(Clusters, SurfacesAreNotMixed) {
   auto cases = {case_of("a", 1, 4, {unexplained(true, "s")}),
                 case_of("b", 1, 4, {unexplained(true, "s"), unexplained(true, "s")})};
   Results results = results_of(cases);
-  results.cases[1].surface = "window";
+  edit(results.cases, 1)->surface = "window";
   EXPECT_EQ(titles(clusters_of(results, 0)),
             (Titles{"line.diamond-exit missing, s, window", "line.diamond-exit missing, s, fbo"}));
 }
@@ -170,7 +171,7 @@ TEST(Clusters, OfAsManyCasesTheLargestComesFirst) {
   ValueAggregate caused = values;
   caused.cause = cause_named("line.snap=6-half-even");
   caused.differing.resize(60);
-  results.cases[0].results[0].values = {values, none, caused};
+  edit(results.cases, 0)->results[0].values = {values, none, caused};
   const auto clusters = clusters_of(results, 0);
   EXPECT_EQ(
       titles(clusters),

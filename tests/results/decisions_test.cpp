@@ -139,11 +139,11 @@ TEST(Decisions, OnWhatHasChangedSinceAreRefused) {
     EXPECT_TRUE(trial.changes(text).empty());
   };
   Trial answers;
-  answers.results.cases[0].results[0].fingerprint = "print-z";
+  answers.results.cases.answer(0, 0).fingerprint = "print-z";
   refused(answers, on_a(),
           "it was made on violation print-a, and the results have violation print-z");
-  answers.results.cases[0].results[0].fingerprint = "print-a";
-  answers.results.cases[0].results[0].verdict = Verdict::permitted;
+  answers.results.cases.answer(0, 0).fingerprint = "print-a";
+  answers.results.cases.answer(0, 0).verdict = Verdict::permitted;
   refused(answers, on_a(), "the results have permitted print-a");
   Trial legal;
   refused(legal,
@@ -151,10 +151,10 @@ TEST(Decisions, OnWhatHasChangedSinceAreRefused) {
               "reason": "fixed"})",
           "a result that is expected needs no known fault");
   Trial flake;
-  flake.results.cases[0].results[0].again = {Verdict::agree, ""};
+  flake.results.cases.answer(0, 0).again = {Verdict::agree, ""};
   refused(flake, on_a(), "changes when it is asked for again");
   Trial gone;
-  gone.results.cases.erase(gone.results.cases.begin());
+  gone.results.cases.erase_if([](const CaseOutline& one) { return one.id == "a"; });
   refused(gone, on_a(), "no such case");
 }
 

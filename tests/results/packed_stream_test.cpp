@@ -52,13 +52,13 @@ std::string refusal(const std::string& bytes, Cut cut = Cut::refused) {
 // With many cases, so that a part of the bytes holds some.
 Results many(int count) {
   Results results = full_results();
-  const CaseResults one = results.cases[0];
-  results.cases.clear();
+  CaseResults one = results.cases[0];
+  results.cases = {};
   std::mt19937 random(7);
   for (int i = 0; i < count; ++i) {
+    one.id = std::to_string(10000 + i);
+    one.results[0].fingerprint = std::to_string(random());
     results.cases.push_back(one);
-    results.cases.back().id = std::to_string(10000 + i);
-    results.cases.back().results[0].fingerprint = std::to_string(random());
   }
   return results;
 }
@@ -102,7 +102,7 @@ TEST(PackedStream, ACutFileIsRefusedUnlessItIsGoneOnWith) {
     EXPECT_TRUE(results.interrupted);
     EXPECT_GT(results.cases.size(), size == bytes.size() / 2 ? 100u : 1400u);
     for (std::size_t i = 0; i < results.cases.size(); ++i)
-      ASSERT_EQ(results.cases[i].id, std::to_string(10000 + i));
+      ASSERT_EQ(results.cases.outline(i).id, std::to_string(10000 + i));
   }
   for (const std::size_t size : {0U, 3U, 5U, 20U})
     EXPECT_THAT(refusal(bytes.substr(0, size), Cut::kept), HasSubstr("no results file")) << size;

@@ -209,7 +209,7 @@ TEST(ReportedFragments, NeighboursThatAreAlikeAreOne) {
 
 TEST(PackedText, KeepsLargeResultsSmall) {
   Results results = results_with({Verdict::permitted});
-  CaseResults& one = results.cases[0];
+  CaseResults one = results.cases[0];
   one.width = one.height = 512;
   Bytes pixels;
   for (int i = 0; i < 4 * 512 * 512; ++i)
@@ -219,12 +219,13 @@ TEST(PackedText, KeepsLargeResultsSmall) {
   Result& result = one.results[0];
   result.pixels = pixels;
   result.values.emplace_back().differing = places_of_square(512);
+  results.cases.replace(0, one);
   std::ostringstream out;
   write_results(results, out);
   EXPECT_LT(out.str().size(), 20000u);
   const auto read = read_results(out.str());
   ASSERT_TRUE(std::holds_alternative<Results>(read)) << std::get<std::string>(read);
-  const CaseResults& back = std::get<Results>(read).cases[0];
+  const CaseResults back = std::get<Results>(read).cases[0];
   EXPECT_EQ(back.pixels, one.pixels);
   EXPECT_EQ(back.results[0].pixels, result.pixels);
   EXPECT_EQ(pixels_of(back.results[0].values[0].differing), pixels_of(result.values[0].differing));

@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <tuple>
 
-#include "results/packed_text.h"
+#include "tests/results/expect_case.h"
 #include "tests/results/sample_results.h"
+#include "tests/support/edit.h"
 
 namespace edgecase {
 namespace {
@@ -26,135 +26,6 @@ Results read(const std::string& text) {
   auto outcome = read_results(text);
   if (const auto* error = std::get_if<std::string>(&outcome)) throw std::runtime_error(*error);
   return std::get<Results>(std::move(outcome));
-}
-
-// Equal to the bit, the sign of zero included; any NaN equals any other.
-void expect_number(double a, double b) {
-  if (std::isnan(a) && std::isnan(b)) return;
-  EXPECT_EQ(a, b);
-  EXPECT_EQ(std::signbit(a), std::signbit(b));
-}
-
-void expect_numbers(const std::vector<double>& a, const std::vector<double>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) expect_number(a[i], b[i]);
-}
-
-void expect_figure(const Figure& a, const Figure& b) {
-  ASSERT_EQ(a.marks.size(), b.marks.size());
-  for (std::size_t i = 0; i < a.marks.size(); ++i) {
-    EXPECT_EQ(a.marks[i].role, b.marks[i].role);
-    EXPECT_EQ(a.marks[i].closed, b.marks[i].closed);
-    EXPECT_EQ(a.marks[i].points, b.marks[i].points);
-    EXPECT_EQ(a.marks[i].label, b.marks[i].label);
-  }
-}
-
-void expect_disagreement(const Disagreement& a, const Disagreement& b) {
-  EXPECT_EQ(std::tie(a.x, a.y, a.sample, a.primitive, a.kind, a.rule, a.legality, a.cause,
-                     a.situation, a.ruling, a.explanation),
-            std::tie(b.x, b.y, b.sample, b.primitive, b.kind, b.rule, b.legality, b.cause,
-                     b.situation, b.ruling, b.explanation));
-  ASSERT_EQ(a.upright.has_value(), b.upright.has_value());
-  if (a.upright) {
-    EXPECT_EQ(std::tie(a.upright->rule, a.upright->ruling, a.upright->legality, a.upright->cause),
-              std::tie(b.upright->rule, b.upright->ruling, b.upright->legality, b.upright->cause));
-  }
-  expect_numbers(a.exact, b.exact);
-  expect_numbers(a.rendered, b.rendered);
-  expect_figure(a.figure, b.figure);
-}
-
-void expect_values(const ValueAggregate& a, const ValueAggregate& b) {
-  EXPECT_EQ(std::tie(a.attribute, a.rule, a.ruling, a.cause, a.compared, a.components,
-                     a.worst_component, a.ulp_histogram),
-            std::tie(b.attribute, b.rule, b.ruling, b.cause, b.compared, b.components,
-                     b.worst_component, b.ulp_histogram));
-  const auto place = [](const ValueAggregate::Place& p) {
-    return std::tuple(p.x, p.y, p.primitive);
-  };
-  EXPECT_EQ(place(a.worst), place(b.worst));
-  EXPECT_EQ(packed_places(a.differing), packed_places(b.differing));
-  expect_number(a.worst_exact, b.worst_exact);
-  expect_number(a.worst_rendered, b.worst_rendered);
-  expect_number(a.worst_ulp, b.worst_ulp);
-  expect_number(a.mean_ulp, b.mean_ulp);
-  expect_number(a.worst_relative, b.worst_relative);
-}
-
-void expect_ramp(const std::vector<Result::LevelPoint>& a,
-                 const std::vector<Result::LevelPoint>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    EXPECT_EQ(std::tie(a[i].x, a[i].y), std::tie(b[i].x, b[i].y));
-    expect_numbers({a[i].exact, a[i].low, a[i].high, a[i].rendered},
-                   {b[i].exact, b[i].low, b[i].high, b[i].rendered});
-  }
-}
-
-void expect_fragments(const std::vector<Result::ReportedFragment>& a,
-                      const std::vector<Result::ReportedFragment>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const Fragment &f = a[i].fragment, &g = b[i].fragment;
-    EXPECT_EQ(
-        std::tie(f.x, f.y, f.primitive, f.coverage, f.has_depth, f.has_color, f.detail, a[i].pass),
-        std::tie(g.x, g.y, g.primitive, g.coverage, g.has_depth, g.has_color, g.detail, b[i].pass));
-    if (f.has_depth) expect_number(f.depth, g.depth);
-    for (std::size_t c = 0; f.has_color && c < f.color.size(); ++c)
-      expect_number(f.color[c], g.color[c]);
-  }
-}
-
-void expect_result(const KnownResult& a, const KnownResult& b) {
-  EXPECT_EQ(a.refuted, b.refuted);
-  EXPECT_EQ(a.pixel_counts, b.pixel_counts);
-  EXPECT_TRUE(a.samples == b.samples);
-  EXPECT_TRUE(a.exact_samples == b.exact_samples);
-  EXPECT_EQ(a.exact_pixels, b.exact_pixels);
-  expect_ramp(a.ramp, b.ramp);
-  expect_fragments(a.exact_fragments, b.exact_fragments);
-  expect_fragments(a.rendered_fragments, b.rendered_fragments);
-  EXPECT_EQ(a.faults, b.faults);
-  EXPECT_EQ(a.again, b.again);
-  EXPECT_EQ(std::tie(a.verdict, a.fingerprint, a.illegal_line_snaps, a.pixels, a.standing,
-                     a.standing_reason),
-            std::tie(b.verdict, b.fingerprint, b.illegal_line_snaps, b.pixels, b.standing,
-                     b.standing_reason));
-  ASSERT_EQ(a.failure.has_value(), b.failure.has_value());
-  if (a.failure) {
-    EXPECT_EQ(a.failure->kind, b.failure->kind);
-    EXPECT_EQ(a.failure->reason, b.failure->reason);
-  }
-  ASSERT_EQ(a.disagreements.size(), b.disagreements.size());
-  for (std::size_t i = 0; i < a.disagreements.size(); ++i)
-    expect_disagreement(a.disagreements[i], b.disagreements[i]);
-  ASSERT_EQ(a.values.size(), b.values.size());
-  for (std::size_t i = 0; i < a.values.size(); ++i) expect_values(a.values[i], b.values[i]);
-  ASSERT_EQ(a.evidence.size(), b.evidence.size());
-  for (std::size_t i = 0; i < a.evidence.size(); ++i) {
-    const auto &e = a.evidence[i], &f = b.evidence[i];
-    EXPECT_EQ(std::tie(e.primitive, e.pass, e.causes, e.illegal_line_snaps, e.broken_clause),
-              std::tie(f.primitive, f.pass, f.causes, f.illegal_line_snaps, f.broken_clause));
-  }
-}
-
-void expect_case(const CaseResults& a, const CaseResults& b) {
-  EXPECT_EQ(std::tie(a.id, a.title, a.why, a.rules, a.spec, a.origin, a.tags, a.file, a.surface,
-                     a.file_digest),
-            std::tie(b.id, b.title, b.why, b.rules, b.spec, b.origin, b.tags, b.file, b.surface,
-                     b.file_digest));
-  EXPECT_EQ(std::tie(a.width, a.height, a.pixels, a.fragments, a.expect_failures),
-            std::tie(b.width, b.height, b.pixels, b.fragments, b.expect_failures));
-  ASSERT_EQ(a.viewport.has_value(), b.viewport.has_value());
-  if (a.viewport) {
-    EXPECT_EQ(std::tie(a.viewport->x, a.viewport->y, a.viewport->width, a.viewport->height),
-              std::tie(b.viewport->x, b.viewport->y, b.viewport->width, b.viewport->height));
-  }
-  EXPECT_TRUE(a.samples == b.samples);
-  expect_figure(a.figure, b.figure);
-  ASSERT_EQ(a.results.size(), b.results.size());
-  for (std::size_t i = 0; i < a.results.size(); ++i) expect_result(a.results[i], b.results[i]);
 }
 
 void expect_results(const Results& a, const Results& b) {
@@ -185,7 +56,7 @@ TEST(ResultsJson, EveryNameReadsBack) {
                                   Verdict::violation, Verdict::not_run});
   constexpr auto standings = kValues<Standing>;
   for (std::size_t i = 0; i < standings.size(); ++i)
-    results.cases.at(i).results[0].standing = standings[i];
+    results.cases.answer(i, 0).standing = standings[i];
   for (const FaultState state : kValues<FaultState>)
     results.faults.push_back({"fake", "fault", "why", "", 1, 2, state});
   expect_results(results, read(written(results)));
@@ -210,10 +81,10 @@ TEST(ResultsJson, WhatIsOnlyOfSomeRunsIsAbsentFromOthers) {
     EXPECT_NE(written(results).find(member), std::string::npos) << member;
   results.shard.reset();
   results.left_out = 0;
-  for (CaseResults& one : results.cases)
-    for (KnownResult& result : one.results) {
-      result.again.reset();
-      result.faults.clear();
+  for (std::size_t i = 0; i < results.cases.size(); ++i)
+    for (std::size_t r = 0; r < results.renderers.size(); ++r) {
+      results.cases.answer(i, r).again.reset();
+      results.cases.answer(i, r).faults.clear();
     }
   for (const char* member : {"\"shard\"", "\"left_out\"", "\"again\"", "\"faults\":[\"fill"})
     EXPECT_EQ(written(results).find(member), std::string::npos) << member;
@@ -223,8 +94,9 @@ TEST(ResultsJson, ARampIsCompactAndAbsentWhereItIsEmpty) {
   Results results = full_results();
   EXPECT_NE(written(results).find(R"("ramp":[[0,0,0.1,-0.0,)"), std::string::npos);
   EXPECT_NE(written(results).find(R"(,[1,0,"-inf","-inf","inf","nan"],)"), std::string::npos);
-  for (CaseResults& one : results.cases)
+  edit_each(results.cases, [](CaseResults& one) {
     for (Result& result : one.results) result.ramp.clear();
+  });
   EXPECT_EQ(written(results).find("\"ramp\""), std::string::npos);
 }
 
@@ -234,13 +106,13 @@ TEST(ResultsJson, FragmentsAndViewportsAreAbsentWhereThereIsNothingToTell) {
   EXPECT_NE(written(results).find(R"("rendered_fragments":[[1,0,5,1,"nan",null]])"),
             std::string::npos);
   EXPECT_NE(written(results).find(R"("viewport":[-3,0,8,16]})"), std::string::npos);
-  for (CaseResults& one : results.cases) {
+  edit_each(results.cases, [](CaseResults& one) {
     one.viewport.reset();
     for (Result& result : one.results) {
       result.exact_fragments.clear();
       result.rendered_fragments.clear();
     }
-  }
+  });
   EXPECT_EQ(written(results).find("_fragments"), std::string::npos);
   EXPECT_EQ(written(results).find("viewport"), std::string::npos);
 }
@@ -249,13 +121,13 @@ TEST(ResultsJson, SamplesAreAbsentWhereNothingIsMultisampled) {
   Results results = full_results();
   EXPECT_NE(written(results).find(R"("samples":{"count":2,"positions":[[0.5,0.5],)"),
             std::string::npos);
-  for (CaseResults& one : results.cases) {
+  edit_each(results.cases, [](CaseResults& one) {
     one.samples = {};
     for (Result& result : one.results) {
       result.samples = result.exact_samples = {};
       result.exact_pixels = {};
     }
-  }
+  });
   EXPECT_EQ(written(results).find("samples\""), std::string::npos);
   EXPECT_EQ(written(results).find("exact_pixels"), std::string::npos);
 }
@@ -273,7 +145,7 @@ TEST(ResultsJson, EachCaseStandsOnALineOfItsOwnAndItsHeadBefore) {
 // No picture, no samples, no figure, and no list that is empty.
 TEST(ResultsJson, WhatAgreesIsAShortLine) {
   Results results = full_results();
-  CaseResults& one = results.cases[0];
+  CaseResults one = results.cases[0];
   Result agrees;
   agrees.verdict = Verdict::agree;
   agrees.pixels = one.pixels;
@@ -281,6 +153,7 @@ TEST(ResultsJson, WhatAgreesIsAShortLine) {
   agrees.pixel_counts = {2, 0, 0, 0, 0, 2};
   one.results = {agrees, agrees};
   one.expect_failures.clear();
+  results.cases.replace(0, one);
   const std::string text = written(results);
   EXPECT_NE(text.find(R"({"case":"lines/a","head":0,"fragments":17,"results":{)"
                       R"("osmesa:llvmpipe":{"verdict":"agree"},"exec:./a \"b\"":{"verdict":)"
@@ -295,9 +168,9 @@ TEST(ResultsJson, WhatAgreesIsAShortLine) {
 TEST(ResultsJson, InvalidUtf8IsReplacedAndNeverFatal) {
   Results results = full_results();
   for (const char* broken : {"\xff", "a\xc3", "\xed\xa0\x80", "\xf8\x88\x80\x80\x80"}) {
-    results.cases[0].title = broken;
-    results.cases[0].results[0].disagreements[0].explanation = broken;
-    results.cases[0].results[1].failure->reason = broken;
+    edit(results.cases, 0)->title = broken;
+    edit(results.cases, 0)->results[0].disagreements[0].explanation = broken;
+    results.cases.answer(0, 1).failure->reason = broken;
     results.renderers[1].name = std::string("exec:") + broken;
     results.renderers[1].traits = {{broken, broken}};
     results.diagnostics[0].message = broken;

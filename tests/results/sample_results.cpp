@@ -83,8 +83,8 @@ std::vector<Result::ReportedFragment> fragments() {
   return told;
 }
 
-KnownResult full_result() {
-  KnownResult result;
+Result full_result() {
+  Result result;
   result.verdict = Verdict::permitted;
   result.fingerprint = "0123456789abcdef";
   result.disagreements = {disagreement(), Disagreement{}};
@@ -168,11 +168,14 @@ Results full_results() {
   results.renderers = {
       {"osmesa:llvmpipe", "Mesa", "4.5", "llvmpipe", 8, {{"a", "b"}, {"c d", kHostile}}},
       {"exec:./a \"b\"", "", "", "", 4, {}}};
-  results.cases = {full_case("lines/a"), full_case("lines/b")};
-  results.cases[0].results = {full_result(), failed()};
-  results.cases[1].results = {failed(), full_result()};
-  results.cases[1].results[1].pixels = results.cases[1].pixels;
-  results.cases[1].results[1].verdict = Verdict::violation;
+  CaseResults one = full_case("lines/a");
+  one.results = {full_result(), failed()};
+  results.cases.push_back(one);
+  one = full_case("lines/b");
+  one.results = {failed(), full_result()};
+  one.results[1].pixels = one.pixels;
+  one.results[1].verdict = Verdict::violation;
+  results.cases.push_back(one);
   results.diagnostics = {{"cases/bad.json", 7, "/target/width", "too wide", "use 4096 or less"},
                          {"cases/gone.json", 0, "", kHostile, ""}};
   return results;

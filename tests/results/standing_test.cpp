@@ -7,6 +7,7 @@
 
 #include "tests/results/sample_results.h"
 #include "tests/support/causes.h"
+#include "tests/support/edit.h"
 
 namespace edgecase {
 namespace {
@@ -26,11 +27,11 @@ KnownFaults fault_of(std::vector<std::string> cases,
 
 Standing standing_of(Results& results, const std::vector<KnownFaults>& known) {
   apply_known_faults(results, known);
-  return results.cases[0].results[0].standing;
+  return results.cases.outline(0).answers[0].standing;
 }
 
 const std::string& words(const Results& results) {
-  return results.cases[0].results[0].standing_reason;
+  return results.cases.outline(0).answers[0].standing_reason;
 }
 
 TEST(Standing, OfLegalAnswersIsExpected) {
@@ -55,25 +56,26 @@ TEST(Standing, OfAViolationIsKnownWhereAFaultAccountsForAllOfIt) {
   EXPECT_EQ(words(results), "it fills too little (fill)");
   EXPECT_EQ(results.cases[0].results[0].faults, std::vector<std::string>{"fill"});
 
-  results.cases[0].results[0].disagreements[1].kind = DisagreementKind::extra;
+  edit(results.cases, 0)->results[0].disagreements[1].kind = DisagreementKind::extra;
   EXPECT_EQ(standing_of(results, {fault_of({"a"})}), Standing::unexpected);
   EXPECT_EQ(words(results),
             "no known fault accounts for 1 of 2 differences; known: it fills too little (fill)");
-  results.cases[0].results[0].disagreements[1].legality = Legality::contested;
+  edit(results.cases, 0)->results[0].disagreements[1].legality = Legality::contested;
   EXPECT_EQ(standing_of(results, {fault_of({"a"})}), Standing::known);
 }
 
 // A violation without a difference that is forbidden is no known fault.
 TEST(Standing, OfAViolationWithoutADifferenceIsUnexpected) {
   Results results = results_with({Verdict::violation});
-  results.cases[0].results[0].disagreements.clear();
+  edit(results.cases, 0)->results[0].disagreements.clear();
   EXPECT_EQ(standing_of(results, {fault_of({"a"})}), Standing::unexpected);
 }
 
 TEST(Standing, OfWhatIsContestedIsToleratedOrKnown) {
   Results results = results_with({Verdict::contested});
-  for (Disagreement& d : results.cases[0].results[0].disagreements)
-    d.legality = Legality::contested;
+  results.cases.change(0, [](CaseResults& one) {
+    for (Disagreement& d : one.results[0].disagreements) d.legality = Legality::contested;
+  });
   EXPECT_EQ(standing_of(results, {}), Standing::tolerated);
   EXPECT_FALSE(is_unexpected(Standing::tolerated));
   hold_contested(results);
@@ -85,26 +87,26 @@ TEST(Standing, OfWhatIsContestedIsToleratedOrKnown) {
 
 TEST(Standing, OfAnswersThatDidNotCome) {
   Results results = results_with({Verdict::not_run});
-  KnownResult& result = results.cases[0].results[0];
+  ResultOutline& answer = results.cases.answer(0, 0);
   KnownFaults crash = fault_of({"a"});
   crash.faults[0].rules.clear();
   crash.faults[0].kinds = {"crashed"};
   EXPECT_EQ(standing_of(results, {fault_of({"a"})}), Standing::unexpected);
   EXPECT_EQ(standing_of(results, {crash}), Standing::known);
-  result.failure->kind = FailureKind::garbage;
+  answer.failure->kind = FailureKind::garbage;
   EXPECT_EQ(standing_of(results, {crash}), Standing::unexpected);
-  result.failure->kind = FailureKind::unavailable;
+  answer.failure->kind = FailureKind::unavailable;
   EXPECT_EQ(standing_of(results, {crash}), Standing::unexpected);
-  result.failure->kind = FailureKind::unsupported;
+  answer.failure->kind = FailureKind::unsupported;
   EXPECT_EQ(standing_of(results, {}), Standing::tolerated);
   hold_contested(results);
-  EXPECT_EQ(result.standing, Standing::tolerated) << "strictness is about what is contested";
+  EXPECT_EQ(answer.standing, Standing::tolerated) << "strictness is about what is contested";
 }
 
 // Neither of the two answers can be known.
 TEST(Standing, OfAFlakeWhateverIsKnown) {
   Results results = results_with({Verdict::violation});
-  results.cases[0].results[0].again = Judgement{Verdict::agree, ""};
+  results.cases.answer(0, 0).again = Judgement{Verdict::agree, ""};
   EXPECT_EQ(standing_of(results, {fault_of({"a"})}), Standing::flake);
   EXPECT_NE(words(results).find("when asked again agree"), std::string::npos);
 }
@@ -177,15 +179,17 @@ TEST(ReasonFrom, WhatWasFound) {
   Results results =
       results_with({Verdict::convention, Verdict::permitted, Verdict::not_run, Verdict::permitted});
   const auto reason = [&](std::size_t i) { return reason_from(results.cases[i].results[0]); };
-  for (Disagreement& d : results.cases[0].results[0].disagreements) {
-    d.cause = cause_named("triangle.fill-rule=left-bottom");
-    d.legality = Legality::legal;
-  }
-  results.cases[1].results[0].disagreements.resize(1);
-  results.cases[1].results[0].disagreements[0].ruling = 4;
-  results.cases[3].results[0].disagreements.clear();
-  results.cases[3].results[0].values.resize(1);
-  results.cases[3].results[0].values[0].attribute = "color";
+  results.cases.change(0, [](CaseResults& one) {
+    for (Disagreement& d : one.results[0].disagreements) {
+      d.cause = cause_named("triangle.fill-rule=left-bottom");
+      d.legality = Legality::legal;
+    }
+  });
+  edit(results.cases, 1)->results[0].disagreements.resize(1);
+  edit(results.cases, 1)->results[0].disagreements[0].ruling = 4;
+  edit(results.cases, 3)->results[0].disagreements.clear();
+  edit(results.cases, 3)->results[0].values.resize(1);
+  edit(results.cases, 3)->results[0].values[0].attribute = "color";
   EXPECT_EQ(reason(0),
             "2 differences by triangle.fill-rule; it follows triangle.fill-rule=left-bottom");
   EXPECT_EQ(reason(1),
@@ -193,7 +197,7 @@ TEST(ReasonFrom, WhatWasFound) {
             "draws this");
   EXPECT_EQ(reason(2), "crashed: signal 11");
   EXPECT_EQ(reason(3), "color rounded otherwise than exactly, within what is permitted");
-  results.cases[3].results[0].values[0].cause = cause_named("texture.log2=mantissa-8");
+  edit(results.cases, 3)->results[0].values[0].cause = cause_named("texture.log2=mantissa-8");
   EXPECT_EQ(reason(3), "color by texture.log2=mantissa-8");
 }
 

@@ -21,26 +21,27 @@ Disagreement difference(int x, Legality legality, const std::string& cause = "")
   return d;
 }
 
-KnownResult answer(Verdict verdict, std::vector<Disagreement> disagreements) {
-  KnownResult result;
+Result answer(Verdict verdict, std::vector<Disagreement> disagreements) {
+  Result result;
   result.verdict = verdict;
   result.disagreements = std::move(disagreements);
   return result;
 }
 
-Results results_of(const std::vector<KnownResult>& answers) {
+Results results_of(const std::vector<Result>& answers) {
   Results results;
   results.renderers.resize(1);
-  for (const KnownResult& one : answers) {
-    results.cases.emplace_back();
-    results.cases.back().results = {one};
+  for (const Result& answer : answers) {
+    CaseResults one;
+    one.results = {answer};
+    results.cases.push_back(one);
   }
   return results;
 }
 
 std::vector<std::size_t> order_of(const Results& results) {
   std::vector<std::size_t> order;
-  for (const AnswerPlace& place : worst_first(results, [](const KnownResult&) { return true; }))
+  for (const AnswerPlace& place : worst_first(results, [](const ResultOutline&) { return true; }))
     order.push_back(place.one);
   return order;
 }
@@ -48,10 +49,10 @@ std::vector<std::size_t> order_of(const Results& results) {
 using Order = std::vector<std::size_t>;
 
 TEST(WorstFirst, OfACaseTheIllegalThenTheContestedThenTheLegal) {
-  const KnownResult result = answer(
-      Verdict::violation, {difference(0, Legality::legal), difference(1, Legality::contested),
-                           difference(2, Legality::illegal), difference(3, Legality::legal),
-                           difference(4, Legality::illegal)});
+  const Result result = answer(Verdict::violation,
+                               {difference(0, Legality::legal), difference(1, Legality::contested),
+                                difference(2, Legality::illegal), difference(3, Legality::legal),
+                                difference(4, Legality::illegal)});
   std::vector<int> columns;
   for (const Disagreement* d : worst_first(result)) columns.push_back(d->x);
   EXPECT_EQ(columns, (std::vector{2, 4, 1, 0, 3}));
@@ -82,9 +83,9 @@ TEST(WorstFirst, OfOneVerdictByHowManyCasesShareTheCause) {
 
 TEST(WorstFirst, OnlyWhatIsWanted) {
   Results results = results_of({answer(Verdict::violation, {}), answer(Verdict::contested, {})});
-  results.cases[1].results[0].standing = Standing::tolerated;
+  results.cases.answer(1, 0).standing = Standing::tolerated;
   const auto places = worst_first(
-      results, [](const KnownResult& result) { return result.standing == Standing::tolerated; });
+      results, [](const ResultOutline& answer) { return answer.standing == Standing::tolerated; });
   ASSERT_EQ(places.size(), 1U);
   EXPECT_EQ(places[0].one, 1U);
 }

@@ -33,11 +33,12 @@ TEST(CaseComparison, KeepsAPictureOnceThatExactDrawsToo) {
   for (const int samples : {1, 4}) {
     const Suite suite = suite_of(samples);
     const RunOptions options;
-    CaseComparison comparison(suite, options);
-    const Rendering same = rasterize(suite.cases[0].scene, options.policy);
-    const Result result = comparison.compare_outcome(0, same, {});
+    const Case asked = suite.cases[0];
+    CaseComparison comparison(suite.cases.size(), options);
+    const Rendering same = rasterize(asked.scene, options.policy);
+    const Result result = comparison.compare_outcome(0, asked, same, {});
     EXPECT_EQ(result.pixels->bytes(), same.pixels);
-    const ExactSide& exact = comparison.exact(0);
+    const ExactSide& exact = comparison.exact(0, asked.scene);
     EXPECT_TRUE(is_same_object(result.pixels, exact.pixels));
     EXPECT_EQ(result.samples, sample_image(same));
     EXPECT_TRUE(is_same_object(result.samples.pixels, exact.samples.pixels));
@@ -49,14 +50,15 @@ TEST(CaseComparison, KeepsAPictureOnceThatExactDrawsToo) {
 TEST(CaseComparison, KeepsWhatDiffersAsItCame) {
   const Suite suite = suite_of(4);
   const RunOptions options;
-  CaseComparison comparison(suite, options);
-  Rendering other = rasterize(suite.cases[0].scene, options.policy);
+  const Case asked = suite.cases[0];
+  CaseComparison comparison(suite.cases.size(), options);
+  Rendering other = rasterize(asked.scene, options.policy);
   other.pixels.back() ^= 1;
   other.sample_pixels.back() ^= 1;
-  const Result result = comparison.compare_outcome(0, other, {});
+  const Result result = comparison.compare_outcome(0, asked, other, {});
   EXPECT_EQ(result.pixels->bytes(), other.pixels);
   EXPECT_EQ(result.samples.pixels->bytes(), other.sample_pixels);
-  const ExactSide& exact = comparison.exact(0);
+  const ExactSide& exact = comparison.exact(0, asked.scene);
   EXPECT_NE(result.pixels, exact.pixels);
   EXPECT_NE(result.samples.pixels, exact.samples.pixels);
   EXPECT_TRUE(is_same_object(result.samples.hits, exact.samples.hits));
@@ -66,17 +68,17 @@ TEST(CaseComparison, KeepsWhatDiffersAsItCame) {
 TEST(CaseComparison, SharesWithExactWhereTheSamplesAreTheRenderers) {
   const Suite suite = suite_of(4);
   const RunOptions options;
-  CaseComparison comparison(suite, options);
-  SamplePositions elsewhere = comparison.exact(0).rendering.sample_positions;
+  const Case asked = suite.cases[0];
+  CaseComparison comparison(suite.cases.size(), options);
+  SamplePositions elsewhere = comparison.exact(0, asked.scene).rendering.sample_positions;
   for (Point& at : elsewhere) at.x = Fixed::from_integer(1) - at.x;
-  const Rendering drawn =
-      rasterize_without_details(suite.cases[0].scene, options.policy, elsewhere);
-  const Result result = comparison.compare_outcome(0, drawn, {});
+  const Rendering drawn = rasterize_without_details(asked.scene, options.policy, elsewhere);
+  const Result result = comparison.compare_outcome(0, asked, drawn, {});
   EXPECT_TRUE(result.disagreements.empty());
   EXPECT_EQ(result.exact_pixels->bytes(), drawn.pixels);
   EXPECT_TRUE(is_same_object(result.pixels, result.exact_pixels));
   EXPECT_TRUE(is_same_object(result.samples.coverage, result.exact_samples.coverage));
-  EXPECT_NE(result.samples.coverage, comparison.exact(0).samples.coverage);
+  EXPECT_NE(result.samples.coverage, comparison.exact(0, asked.scene).samples.coverage);
 }
 
 }  // namespace

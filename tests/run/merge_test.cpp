@@ -14,6 +14,7 @@
 #include "rules/coverage/window.h"
 #include "run/judging.h"
 #include "tests/support/causes.h"
+#include "tests/support/edit.h"
 
 namespace edgecase {
 namespace {
@@ -22,7 +23,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 // A line that is legal under one catalogued snap alone, with a fragment missing inside.
-KnownResult line_read_with(const std::string& snap) {
+Result line_read_with(const std::string& snap) {
   Result result;
   Disagreement d;
   d.primitive = 0;
@@ -35,7 +36,7 @@ KnownResult line_read_with(const std::string& snap) {
   return result;
 }
 
-CaseResults case_of(const std::string& id, KnownResult result) {
+CaseResults case_of(const std::string& id, Result result) {
   CaseResults one;
   one.id = id;
   one.file = "cases/" + id + ".json";
@@ -44,12 +45,12 @@ CaseResults case_of(const std::string& id, KnownResult result) {
   return one;
 }
 
-Results run_of(std::vector<CaseResults> cases) {
+Results run_of(const std::vector<CaseResults>& cases) {
   Results results;
   results.tool = "edgecase 1";
   results.policy = "opengl";
   results.renderers = {{"fake", "vendor", "1.0", "device", 8, {{"a", "b"}}}};
-  results.cases = std::move(cases);
+  results.cases = list_of(cases);
   judge_all(results);
   return results;
 }
@@ -141,11 +142,11 @@ TEST(Merge, RefusesWhatDoesNotBelongTogether) {
   refused([](Results& r) { r.shard->cases = 7; }, "different selections or suites");
   refused([](Results& r) { r.shard->index = 0; }, "both hold shard 1 of 2");
   refused([](Results& r) { r.shard.reset(); }, "is none");
-  refused([](Results& r) { r.cases[0].id = "a"; }, "the case a is in");
+  refused([](Results& r) { edit(r.cases, 0)->id = "a"; }, "the case a is in");
   refused(
       [](Results& r) {
-        r.cases[0].file = "cases/a.json";
-        r.cases[0].file_digest = "other";
+        edit(r.cases, 0)->file = "cases/a.json";
+        edit(r.cases, 0)->file_digest = "other";
       },
       "the case file cases/a.json is another");
 }
@@ -167,7 +168,7 @@ TEST(Merge, UnitesDiagnosticsOnce) {
 
 TEST(Merge, KeepsFlakesAndInterruptions) {
   MergePart one = shard(0, 2);
-  one.results.cases[0].results[0].again = {Verdict::agree, ""};
+  one.results.cases.answer(0, 0).again = {Verdict::agree, ""};
   one.results.interrupted = true;
   const Results whole = merged({one, shard(1, 2)});
   EXPECT_TRUE(whole.interrupted);
@@ -179,7 +180,7 @@ TEST(Merge, RunsOfDifferentCasesNeedNoShards) {
   const Results whole =
       merged({{"a.json", run_of({cases[4], cases[5]})}, {"b.json", run_of({cases[0], cases[1]})}});
   std::vector<std::string> ids;
-  for (const CaseResults& one : whole.cases) ids.push_back(one.id);
+  for (const CaseOutline& one : whole.cases.outlines()) ids.push_back(one.id);
   EXPECT_THAT(ids, ElementsAre("a", "b", "e", "f"));
   EXPECT_FALSE(whole.whole_suite);
 }

@@ -136,7 +136,7 @@ TEST(Signature, IsThatOfTheClusterInTheResults) {
   const auto signatures = signatures_of(one, 1);
   Results results;
   results.renderers.resize(2);
-  results.cases = {one};
+  results.cases.push_back(one);
   const auto clusters = clusters_of(results, 1);
   ASSERT_EQ(signatures.size(), clusters.size());
   EXPECT_EQ(signatures[0].situation, clusters[0].situation);

@@ -14,12 +14,19 @@ import unittest
 
 import results_file
 from support import (AS_EXPECTED, EDGECASE, INTERNAL, PATIENCE, UNEXPECTED, CommandTest, contents,
-                     environment, report_options, verdicts)
+                     environment, report_options, triangle_case, verdicts)
 
 NAMES = ["a", "b", "c"]
 REPORTS = ("json", "junit", "html", "ctrf", "markdown", "annotations", "csv")
 RUN = ["run", "cases", "--against", "exact"]
 EARLIER = "what was there before\n"
+NOISE = """import json, os, sys
+for line in sys.stdin:
+    request = json.loads(line)
+    target = request["scene"]["target"]
+    pixels = list(os.urandom(4 * target["width"] * target["height"]))
+    print(json.dumps({"digest": request["digest"], "pixels": pixels, "fragments": []}), flush=True)
+"""
 
 
 def may_mount():
@@ -77,6 +84,19 @@ class Full(StorageTest):
                 self.assertEqual(errors, f"edgecase: cannot write {path}: File too large; make "
                                          "room there, or name a file elsewhere\n")
                 self.assertEqual(path.read_text("utf-8"), EARLIER)
+
+    def test_a_run_finds_more_than_there_is_room_for(self):
+        """A little is kept without a file."""
+        self.write("noise.py", NOISE)
+        for n in range(40):
+            self.write(f"many/{n}.json", triangle_case(target={"width": 64, "height": 64}))
+        noisy = ["--against", "exec:python3 noise.py", "--no-rerun", "--json", "results.json"]
+        self.command("run", "cases", *noisy, expect=UNEXPECTED, TMPDIR="nowhere")
+        self.write("results.json", EARLIER)
+        run = self.command("run", "many", *noisy, expect=INTERNAL, TMPDIR="nowhere")
+        self.assertEqual(run.stderr, "edgecase: results cannot be kept in nowhere: No such file or "
+                                     "directory; name a folder that has room in TMPDIR\n")
+        self.assertEqual((self.folder / "results.json").read_text("utf-8"), EARLIER)
 
     def test_other_subcommands(self):
         self.command(*RUN, "--json", "results.json")

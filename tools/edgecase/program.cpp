@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <malloc.h>
 
 #include <cerrno>
 #include <csignal>
@@ -14,6 +15,7 @@
 
 #include "kernels/kernels.h"
 #include "reports/text.h"
+#include "results/shelf.h"
 #include "tools/edgecase/help/usage_errors.h"
 #include "tools/edgecase/options.h"
 #include "tools/edgecase/project.h"
@@ -21,6 +23,8 @@
 namespace edgecase {
 
 bool begin_program() {
+  // Memory that large scenes take is given back to the system once it is freed.
+  mallopt(M_MMAP_THRESHOLD, 1 << 18);
   // Exceeding a limit on the size of files is reported as an error and does not kill the program.
   std::signal(SIGXFSZ, SIG_IGN);
   const char* const name = std::getenv("EDGECASE_KERNELS");
@@ -46,6 +50,9 @@ ExitCode run_program(CLI::App& app, int argc, char** argv, const std::function<E
   } catch (const ProjectError& error) {
     print_to_stderr(one_line(error.what()) + "\n");
     exit = ExitCode::usage;
+  } catch (const ShelfError& error) {
+    print_error(error.what());
+    exit = ExitCode::internal;
   } catch (const std::exception& error) {
     print_error(std::string("internal error: ") + error.what());
     exit = ExitCode::internal;

@@ -34,10 +34,10 @@ bool is_known(const std::string& renderer) {
   return true;
 }
 
-ExitCode exit_code_of(const Result& result) {
-  if (!is_unexpected(result.standing)) return ExitCode::as_expected;
-  if (result.standing == Standing::flake) return ExitCode::unexpected;
-  if (result.failure) return ExitCode::renderer;
+ExitCode exit_code_of(const ResultOutline& answer) {
+  if (!is_unexpected(answer.standing)) return ExitCode::as_expected;
+  if (answer.standing == Standing::flake) return ExitCode::unexpected;
+  if (answer.failure) return ExitCode::renderer;
   return ExitCode::unexpected;
 }
 
@@ -72,7 +72,7 @@ constexpr const char* kThisRun = "this run";
 std::optional<RunDifference> difference_at_once(const MergePart& earlier, const Suite& rest,
                                                 const RunOptions& run) {
   Suite first;
-  if (!rest.cases.empty()) first.cases = {rest.cases.front()};
+  if (!rest.cases.empty()) first.cases.push_back(rest.cases[0]);
   MergePart asked{kThisRun, run_suite(first, run)};
   asked.results.tool = kToolName;
   return difference_of_runs(earlier, asked);
@@ -273,9 +273,9 @@ ExitCode exit_code_of(const Results& results) {
   if (!results.diagnostics.empty()) exit = worse(exit, ExitCode::usage);
   if (results.cases.empty() && results.diagnostics.empty()) exit = ExitCode::nothing_selected;
   if (results.interrupted || has_grown(results)) exit = worse(exit, ExitCode::unexpected);
-  for (const CaseResults& one : results.cases) {
-    if (!one.expect_failures.empty()) exit = worse(exit, ExitCode::unexpected);
-    for (const Result& result : one.results) exit = worse(exit, exit_code_of(result));
+  for (const CaseOutline& one : results.cases.outlines()) {
+    if (one.expect_failures > 0) exit = worse(exit, ExitCode::unexpected);
+    for (const ResultOutline& answer : one.answers) exit = worse(exit, exit_code_of(answer));
   }
   return exit;
 }

@@ -26,7 +26,7 @@ class CaseRun final : public testing::Environment {
  public:
   explicit CaseRun(CaseTests tests) : tests_(std::move(tests)) {}
 
-  const std::vector<Case>& cases() const { return tests_.suite.cases; }
+  const CaseStore& cases() const { return tests_.suite.cases; }
   const std::vector<Diagnostic>& diagnostics() const { return tests_.suite.diagnostics; }
   const std::vector<std::string>& renderers() const { return tests_.run.renderers; }
 
@@ -37,7 +37,7 @@ class CaseRun final : public testing::Environment {
 
   // Null if the run did not reach it.
   const Answer* find(std::size_t renderer, std::size_t index) const {
-    const auto found = answers_.find({renderer, cases()[index].id});
+    const auto found = answers_.find({renderer, cases().id(index)});
     return found == answers_.end() ? nullptr : &found->second;
   }
 
@@ -84,7 +84,7 @@ class CaseRun final : public testing::Environment {
     });
   }
 
-  static void take(const TestOutcome& outcome, const KnownResult& result, Answer& answer) {
+  static void take(const TestOutcome& outcome, const Result& result, Answer& answer) {
     answer.status = outcome.status;
     if (!outcome.message.empty()) answer.text = outcome.message + "\n" + outcome.details;
     if (result.standing == Standing::known)
@@ -109,7 +109,7 @@ class CaseTest : public testing::Test {
       : run_(run), renderer_(renderer), index_(index) {}
 
   void TestBody() override {
-    const Case& one = run_.cases()[index_];
+    const Case one = run_.cases()[index_];
     RecordProperty("id", one_line(one.id));
     const Answer* answer = run_.find(renderer_, index_);
     if (answer == nullptr) FAIL() << one_line(one.id) << " was not drawn: the run ended before it";
@@ -167,7 +167,7 @@ void register_case_tests(CaseTests tests) {
   const auto prefixes = suite_prefixes(run.renderers());
   for (std::size_t r = 0; r < prefixes.size(); ++r)
     for (std::size_t i = 0; i < run.cases().size(); ++i) {
-      const Case& one = run.cases()[i];
+      const Case one = run.cases()[i];
       TestName name = test_name_of(prefixes[r], one.id);
       name.test = unique(name.suite, name.test, names);
       run.add(name.suite + "." + name.test, r, i);

@@ -141,16 +141,19 @@ PipelineRates time_pipeline(const BenchPlan& plan, const Suite& suite,
 class StageTimer {
  public:
   StageTimer(const Suite& suite, const std::string& renderer)
-      : suite_(suite), options_(options_for(renderer, 1)), comparison_(suite, options_) {}
+      : suite_(suite),
+        options_(options_for(renderer, 1)),
+        comparison_(suite.cases.size(), options_) {}
 
   StageTimes run(double load_seconds) {
     auto renderer = std::get<std::unique_ptr<Renderer>>(
         make_renderer(options_.renderers.front(), options_.renderer_options));
     const auto start = Clock::now();
+    const std::vector<Case> cases = suite_.cases.all();
     std::vector<Task> tasks;
-    for (const Case& one : suite_.cases) tasks.push_back({one.id, &one.scene});
+    for (const Case& one : cases) tasks.push_back({one.id, &one.scene});
     renderer->render(tasks, [&](std::size_t i, Outcome outcome) {
-      results_.cases.push_back(compare(i, std::move(outcome), renderer->info()));
+      results_.cases.push_back(compare(i, cases[i], std::move(outcome), renderer->info()));
     });
     const double asking = seconds_since(start) - exact_ - comparing_;
     results_.renderers = {renderer->info()};
@@ -168,16 +171,16 @@ class StageTimer {
   }
 
  private:
-  CaseResults compare(std::size_t i, Outcome outcome, const RendererInfo& info) {
-    exact_ += time_of(0, [&] { comparison_.exact(i); });
+  CaseResults compare(std::size_t i, const Case& asked, Outcome outcome, const RendererInfo& info) {
+    exact_ += time_of(0, [&] { comparison_.exact(i, asked.scene); });
     CaseResults one;
     comparing_ += time_of(0, [&] {
-      one.results.emplace_back(comparison_.compare_outcome(i, std::move(outcome), info));
+      one.results.emplace_back(comparison_.compare_outcome(i, asked, std::move(outcome), info));
     });
-    one.pixels = comparison_.exact(i).pixels;
+    one.pixels = comparison_.exact(i, asked.scene).pixels;
     comparison_.forget(i);
-    one.id = suite_.cases[i].id;
-    one.surface = name_of(suite_.cases[i].scene.target.surface);
+    one.id = asked.id;
+    one.surface = name_of(asked.scene.target.surface);
     return one;
   }
 

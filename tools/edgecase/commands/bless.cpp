@@ -185,10 +185,10 @@ class Blessing {
 
   // Mentions flakes, which stay unexpected.
   void add_flakes(std::size_t renderer) {
-    for (const CaseResults& one : results_.cases)
-      if (one.results[renderer].again && selected(command_.filters, one.id))
+    for (const CaseOutline& one : results_.cases.outlines())
+      if (one.answers[renderer].again && selected(command_.filters, one.id))
         text_ += fmt::format("! {}: {}; such an answer cannot be known\n", one_line(one.id),
-                             one_line(one.results[renderer].standing_reason));
+                             one_line(one.answers[renderer].standing_reason));
   }
 
   void add_outcome(const DecisionOutcome& outcome) {

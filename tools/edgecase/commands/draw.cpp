@@ -69,7 +69,8 @@ ExitCode draw_alternatives(const DrawCommand& command, const Case& one) {
 }
 
 DifferencePicture difference_of(const Case& one, const Policy& policy, const Results& results) {
-  const Result& result = results.cases.front().results.front();
+  const CaseResults answered = results.cases[0];
+  const Result& result = answered.results.front();
   DifferencePicture picture;
   picture.width = one.scene.target.width;
   picture.height = one.scene.target.height;
@@ -95,7 +96,7 @@ ExitCode draw_difference(const DrawCommand& command, const Selection& selection,
   const auto results = run_against(single, policy, *profiles, run);
   if (!results) return ExitCode::usage;
   if (results->cases.empty()) return ExitCode::unexpected;
-  if (const auto& failure = results->cases.front().results.front().failure) {
+  if (const auto& failure = results->cases.outline(0).answers.front().failure) {
     print_error(
         fmt::format("{}: {}: {}", command.renderer, name_of(failure->kind), failure->reason));
     return ExitCode::renderer;
@@ -125,7 +126,7 @@ ExitCode draw(const DrawCommand& command) {
     return ExitCode::nothing_selected;
   }
   // If the file expands to several cases: the base case, or the first that the filters select.
-  const Case& one = suite.cases.front();
+  const Case one = suite.cases[0];
   if (command.renderer.empty()) return draw_alternatives(command, one);
   return draw_difference(command, selection, one);
 }

@@ -86,7 +86,7 @@ std::optional<std::vector<Case>> cases_of(const std::vector<std::string>& paths)
   Suite suite = load_suite(select_cases(paths));
   print_diagnostics(suite.diagnostics);
   if (!suite.diagnostics.empty()) return std::nullopt;
-  return std::move(suite.cases);
+  return suite.cases.all();
 }
 
 // Adds finds from the JSON of an earlier search, or from case files.

@@ -80,9 +80,9 @@ std::vector<LoadedPictures> load_all(const GalleryCommand& command, ExitCode& ex
 
 // A picture that cannot be drawn is missing from its page; the others are written.
 ExitCode exit_code_of_failures(const Results& results) {
-  for (const CaseResults& one : results.cases)
-    for (const Result& result : one.results)
-      if (result.failure && result.failure->kind != FailureKind::unsupported)
+  for (const CaseOutline& one : results.cases.outlines())
+    for (const ResultOutline& answer : one.answers)
+      if (answer.failure && answer.failure->kind != FailureKind::unsupported)
         return ExitCode::renderer;
   return ExitCode::as_expected;
 }

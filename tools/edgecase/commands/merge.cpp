@@ -54,7 +54,6 @@ ExitCode merge(const MergeCommand& command) {
   Results& results = std::get<Results>(merged);
   const auto known = load_known_faults(suite_folder_of(results) / kKnownFolder, command.known);
   if (!known) return ExitCode::usage;
-  load_sources(results);
   apply_known_faults(results, *known);
   if (command.strict) hold_contested(results);
   print_diagnostics(results.diagnostics);

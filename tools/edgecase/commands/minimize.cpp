@@ -46,14 +46,14 @@ std::optional<Case> find_case(const std::string& word, const Selection& selectio
   print_diagnostics(suite.diagnostics);
   exit = ExitCode::usage;
   if (!suite.diagnostics.empty()) return std::nullopt;
-  if (suite.cases.size() == 1) return std::move(suite.cases.front());
+  if (suite.cases.size() == 1) return suite.cases[0];
   if (suite.cases.empty()) {
     print_nothing_selected();
     exit = ExitCode::nothing_selected;
     return std::nullopt;
   }
   print_error(fmt::format("{} stands for {} cases; name one of them, for example {}", word,
-                          suite.cases.size(), suite.cases.back().id));
+                          suite.cases.size(), suite.cases.id(suite.cases.size() - 1)));
   return std::nullopt;
 }
 

@@ -185,7 +185,7 @@ std::optional<Case> find_in_suite(const NewCommand& command) {
   Suite suite = load_suite(selection_of(std::array{command.from}, command.suite));
   print_diagnostics(suite.diagnostics);
   if (!suite.diagnostics.empty()) return std::nullopt;
-  if (!suite.cases.empty()) return std::move(suite.cases.front());
+  if (!suite.cases.empty()) return suite.cases[0];
   print_nothing_selected();
   return std::nullopt;
 }
@@ -210,15 +210,15 @@ std::optional<std::pair<Case, std::string>> find_in_results(const NewCommand& co
   ExitCode ignored = ExitCode::as_expected;  // a missing case is the user's mistake, reported below
   const auto results = load_results(command.results, ignored);
   if (!results) return std::nullopt;
-  const auto found = std::ranges::find_if(
-      results->cases, [&](const CaseResults& one) { return one.id == command.from; });
-  if (found == results->cases.end()) {
+  const auto found = results->cases.find(command.from);
+  if (!found) {
     print_error(fmt::format("{} has no case \"{}\"", command.results, command.from));
     return std::nullopt;
   }
-  auto one = find_case(load_cases(found->file, file_id(found->id)), found->id);
+  const CaseResults answered = results->cases[*found];
+  auto one = find_case(load_cases(answered.file, file_id(answered.id)), answered.id);
   if (!one) return std::nullopt;
-  return std::pair(std::move(*one), answers_of(*results, *found));
+  return std::pair(std::move(*one), answers_of(*results, answered));
 }
 
 std::optional<Begun> begin_with_case(const NewCommand& command) {

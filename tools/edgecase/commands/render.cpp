@@ -99,8 +99,9 @@ ExitCode render(RenderOptions options) {
   }
   const Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
+  const std::vector<Case> cases = suite.cases.all();
   std::vector<Task> tasks;
-  for (const Case& one : suite.cases) tasks.push_back({one.id, &one.scene});
+  for (const Case& one : cases) tasks.push_back({one.id, &one.scene});
 
   ExitCode exit = suite.diagnostics.empty() ? ExitCode::as_expected : ExitCode::usage;
   if (tasks.empty() && suite.diagnostics.empty()) {

@@ -27,7 +27,6 @@ ExitCode report(const ReportCommand& command) {
   ExitCode exit = ExitCode::as_expected;
   auto results = load_results(command.results, exit);
   if (!results) return exit;
-  load_sources(*results);
   if (command.strict) hold_contested(*results);
   ReportFiles files = command.files;
   auto durations = load_durations(command.timings, exit);

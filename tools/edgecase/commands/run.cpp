@@ -95,7 +95,8 @@ void print_way_on(const RunCommand& command, const Results& results) {
 }
 
 ExitCode print_list(const Suite& suite) {
-  for (const Case& one : suite.cases) fmt::print("{}\n", one_line(one.id));
+  for (std::size_t i = 0; i < suite.cases.size(); ++i)
+    fmt::print("{}\n", one_line(suite.cases.id(i)));
   if (!suite.diagnostics.empty()) return ExitCode::usage;
   if (!suite.cases.empty()) return ExitCode::as_expected;
   print_nothing_selected();

@@ -31,9 +31,9 @@ struct ValidateCommand {
 };
 
 // The files of the cases, in the order of their ids, each with its text.
-std::map<std::filesystem::path, const std::string*> files_of(const Suite& suite) {
-  std::map<std::filesystem::path, const std::string*> files;
-  for (const Case& one : suite.cases) files.emplace(one.file, &*one.source);
+std::map<std::filesystem::path, SharedText> files_of(const Suite& suite) {
+  std::map<std::filesystem::path, SharedText> files;
+  for (const Case& one : suite.cases) files.emplace(one.file, one.source);
   return files;
 }
 

@@ -57,14 +57,15 @@ std::optional<std::vector<Case>> load_cases_of(const Gallery& gallery, const fs:
   Suite suite;
   if (!selection.paths.empty()) suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
+  const std::vector<Case> loaded = suite.cases.all();
   std::vector<Case> cases;
   bool complete = suite.diagnostics.empty();
   for (const std::string& id : ids) {
-    if (const Case* found = find_case(suite.cases, id)) {
+    if (const Case* found = find_case(loaded, id)) {
       cases.push_back(*found);
       continue;
     }
-    print_unknown_case(file, id, suite.cases);
+    print_unknown_case(file, id, loaded);
     complete = false;
   }
   if (!complete) return std::nullopt;
@@ -159,12 +160,6 @@ GalleryEntry entry_of(const GalleryPicture& picture, const Case& one, const Poli
   return entry;
 }
 
-const CaseResults* results_of(const Results& results, const std::string& id) {
-  for (const CaseResults& one : results.cases)
-    if (one.id == id) return &one;
-  return nullptr;
-}
-
 }  // namespace
 
 std::optional<LoadedPictures> load_pictures(const fs::path& file, const fs::path& suite) {
@@ -196,7 +191,8 @@ GalleryPage gallery_page(const LoadedPictures& loaded, const Results& results) {
   page.choices = choices_of(loaded);
   for (const GalleryPicture& picture : loaded.gallery.pictures)
     page.entries.push_back(entry_of(picture, *find_case(loaded.cases, picture.case_id),
-                                    loaded.policy, *results_of(results, picture.case_id)));
+                                    loaded.policy,
+                                    results.cases[results.cases.find(picture.case_id).value()]));
   return page;
 }
 

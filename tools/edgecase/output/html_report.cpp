@@ -5,9 +5,11 @@
 
 #include <filesystem>
 #include <iostream>
+#include <set>
 
 #include "diff/coverage/cause.h"
 #include "model/renderer.h"
+#include "model/text.h"
 #include "reports/html.h"
 #include "rules/all_rules.h"
 #include "tools/edgecase/options.h"
@@ -20,7 +22,7 @@ ReportProfiles profiles_of(const Results& results) {
   ReportProfiles told;
   if (results.cases.empty()) return told;
   Selection suite;
-  suite.paths = {results.cases.front().file};
+  suite.paths = {results.cases[0].file};
   for (const RendererInfo& info : results.renderers) {
     const auto found = load_profiles(suite, {known_as(info)});
     if (!found || found->empty()) continue;
@@ -31,6 +33,30 @@ ReportProfiles profiles_of(const Results& results) {
   }
   return told;
 }
+
+// Reads the texts of case files. Cases of one file stand together.
+class Sources {
+ public:
+  std::string operator()(const CaseResults& one) {
+    if (one.file != file_) {
+      file_ = one.file;
+      text_.clear();
+      std::error_code error;
+      if (std::filesystem::is_regular_file(file_, error)) text_ = read_file(file_).value_or("");
+      digest_ = digest_of_text(text_);
+      if (!text_.empty() && digest_ != one.file_digest && complained_.insert(file_).second)
+        print_error(
+            fmt::format("{} is not what it was in the run; reports leave its text out", one.file));
+    }
+    return digest_ == one.file_digest ? text_ : "";
+  }
+
+ private:
+  std::string file_;
+  std::string text_;
+  std::string digest_;
+  std::set<std::string> complained_;  // files
+};
 
 ReportTexts texts_of(const Results& results, const std::optional<Comparison>& since) {
   ReportTexts texts;
@@ -44,6 +70,7 @@ ReportTexts texts_of(const Results& results, const std::optional<Comparison>& si
   }
   texts.is_open_choice = is_open_choice;
   texts.profiles = profiles_of(results);
+  texts.source_of = Sources();
   texts.since = since;
   return texts;
 }

@@ -12,7 +12,6 @@
 #include <utility>
 #include <variant>
 
-#include "model/text.h"
 #include "reports/annotations.h"
 #include "reports/ctrf.h"
 #include "reports/disagreements_csv.h"
@@ -60,21 +59,6 @@ std::optional<Results> load_results(const std::string& path, ExitCode& exit, Cut
   return std::nullopt;
 }
 
-void load_sources(Results& results) {
-  std::map<std::string, SharedText> texts;
-  for (CaseResults& one : results.cases) {
-    const auto [found, is_new] = texts.try_emplace(one.file);
-    std::error_code error;
-    if (is_new && std::filesystem::is_regular_file(one.file, error))
-      if (auto text = read_file(one.file)) found->second = std::move(*text);
-    const bool is_same = digest_of_text(*found->second) == one.file_digest;
-    if (is_same) one.source = found->second;
-    if (is_new && !is_same && !found->second->empty())
-      print_error(
-          fmt::format("{} is not what it was in the run; reports leave its text out", one.file));
-  }
-}
-
 std::optional<Durations> load_durations(const std::vector<std::string>& paths, ExitCode& exit) {
   Durations all;
   for (const std::string& path : paths) {
@@ -98,8 +82,8 @@ std::optional<Comparison> changes_since(const std::string& path, const Results& 
   if (!before) return std::nullopt;
   if (!is_whole(results)) {
     std::set<std::string> ids;
-    for (const CaseResults& one : results.cases) ids.insert(one.id);
-    std::erase_if(before->cases, [&](const CaseResults& one) { return !ids.contains(one.id); });
+    for (const CaseOutline& one : results.cases.outlines()) ids.insert(one.id);
+    before->cases.erase_if([&](const CaseOutline& one) { return !ids.contains(one.id); });
   }
   exit = ExitCode::usage;
   auto compared = compare_results(*before, results);

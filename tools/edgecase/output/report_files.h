@@ -22,10 +22,6 @@ namespace edgecase {
 std::optional<Results> load_results(const std::string& path, ExitCode& exit,
                                     Cut cut = Cut::refused);
 
-// The text of the case files is not part of a results file; takes it from where they lie. A file
-// that was changed since the run is left out, and said to be.
-void load_sources(Results& results);
-
 // What the files of `edgecase run --timings` hold, together. Nothing, with the error printed and
 // the exit code that it deserves, where one cannot be read.
 std::optional<Durations> load_durations(const std::vector<std::string>& paths, ExitCode& exit);

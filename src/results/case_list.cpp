@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "results/case_list.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "wire/binary.h"
+
+namespace edgecase {
+
+using wire::carry_all;
+using wire::Of;
+
+// A member that equals what another has is noted as such, so that both share it when it is read.
+template <class Value>
+void carry_shared(wire::Writer& io, const Shared<Value>& value, const Shared<Value>& other) {
+  const bool is_same = value == other;
+  carry(io, is_same);
+  if (!is_same) carry(io, *value);
+}
+template <class Value>
+void carry_shared(wire::Reader& io, Shared<Value>& value, const Shared<Value>& other) {
+  bool is_same = false;
+  carry(io, is_same);
+  if (is_same) {
+    value = other;
+    return;
+  }
+  Value own;
+  carry(io, own);
+  value = std::move(own);
+}
+
+template <class Io, Of<SampleImage> T>
+void carry_samples(Io& io, T& image, const SampleImage& other) {
+  carry_all(io, image.samples, image.positions);
+  carry_shared(io, image.pixels, other.pixels);
+  carry_shared(io, image.hits, other.hits);
+  carry_shared(io, image.coverage, other.coverage);
+}
+
+template <class Io, Of<AlternativeId> T>
+void carry(Io& io, T& id) {
+  carry_all(io, id.rule, id.index);
+}
+
+template <class Io, Of<Cause> T>
+void carry(Io& io, T& cause) {
+  carry(io, cause.parts);
+}
+
+inline void carry(wire::Writer& io, const AlternativeSet& set) {
+  io.bytes(&set, sizeof(set));
+}
+inline void carry(wire::Reader& io, AlternativeSet& set) {
+  io.bytes(&set, sizeof(set));
+}
+
+template <class Io, Of<Mark> T>
+void carry(Io& io, T& mark) {
+  carry_all(io, mark.role, mark.closed, mark.points, mark.label);
+}
+
+template <class Io, Of<Figure> T>
+void carry(Io& io, T& figure) {
+  carry(io, figure.marks);
+}
+
+template <class Io, Of<Disagreement::Upright> T>
+void carry(Io& io, T& upright) {
+  carry_all(io, upright.rule, upright.ruling, upright.legality, upright.cause);
+}
+
+template <class Io, Of<Disagreement> T>
+void carry(Io& io, T& d) {
+  carry_all(io, d.x, d.y, d.sample, d.primitive, d.kind, d.rule, d.legality, d.cause, d.situation,
+            d.ruling, d.policy_agrees, d.upright, d.exact, d.rendered, d.explanation, d.figure);
+}
+
+template <class Io, Of<ValueAggregate::Place> T>
+void carry(Io& io, T& place) {
+  carry_all(io, place.x, place.y, place.primitive);
+}
+
+template <class Io, Of<ValueAggregate> T>
+void carry(Io& io, T& v) {
+  carry_all(io, v.attribute, v.rule, v.ruling, v.cause, v.compared, v.components, v.differing,
+            v.worst, v.worst_component, v.worst_exact, v.worst_rendered, v.worst_ulp, v.mean_ulp,
+            v.worst_relative, v.ulp_histogram);
+}
+
+template <class Io, Of<Result::Evidence> T>
+void carry(Io& io, T& evidence) {
+  carry_all(io, evidence.primitive, evidence.causes, evidence.illegal_line_snaps,
+            evidence.broken_clause, evidence.pass);
+}
+
+template <class Io, Of<Result::LevelPoint> T>
+void carry(Io& io, T& point) {
+  carry_all(io, point.x, point.y, point.exact, point.low, point.high, point.rendered);
+}
+
+template <class Io, Of<Result::ReportedFragment> T>
+void carry(Io& io, T& reported) {
+  auto& f = reported.fragment;
+  carry_all(io, f.x, f.y, f.primitive, f.coverage, f.depth, f.color, f.has_depth, f.has_color,
+            reported.pass);
+}
+
+template <class Io, Of<PixelCounts> T>
+void carry(Io& io, T& counts) {
+  carry_all(io, counts.agree, counts.convention, counts.permitted, counts.contested,
+            counts.violation, counts.same);
+}
+
+// All but the answer, which the outline has.
+template <class Io, class T>
+void carry_findings(Io& io, T& result, const CaseResults& one) {
+  carry_all(io, result.disagreements, result.values, result.evidence, result.illegal_line_snaps,
+            result.refuted, result.ramp, result.exact_fragments, result.rendered_fragments,
+            result.pixel_counts);
+  carry_shared(io, result.exact_pixels, one.pixels);
+  carry_shared(io, result.pixels, result.exact_pixels);
+  carry_samples(io, result.exact_samples, one.samples);
+  carry_samples(io, result.samples, result.exact_samples);
+}
+
+template <class Io, class T>
+void carry_case(Io& io, T& one) {
+  carry_all(io, one.title, one.why, one.rules, one.spec, one.origin, one.tags, one.file,
+            one.file_digest, one.width, one.height, one.viewport);
+  carry_shared(io, one.pixels, {});
+  carry_samples(io, one.samples, {});
+  carry_all(io, one.fragments, one.figure, one.expect_failures);
+  for (auto& result : one.results) carry_findings(io, result, one);
+}
+
+namespace {
+
+std::string bytes_of(const CaseResults& one) {
+  std::string bytes;
+  wire::Writer io(bytes);
+  carry_case(io, one);
+  return bytes;
+}
+
+}  // namespace
+
+CaseOutline outline_of(const CaseResults& one) {
+  const bool has_ramp =
+      std::ranges::any_of(one.results, [](const Result& result) { return !result.ramp.empty(); });
+  return {one.id,
+          one.surface,
+          one.expect_failures.size(),
+          has_ramp,
+          {one.results.begin(), one.results.end()}};
+}
+
+bool has_details(const CaseOutline& one) {
+  return one.expect_failures > 0 || one.has_ramp ||
+         std::ranges::any_of(one.answers, [](const ResultOutline& answer) {
+           return answer.verdict != Verdict::agree || answer.standing != Standing::expected;
+         });
+}
+
+ShelvedCase::ShelvedCase(const CaseResults& one, std::shared_ptr<Shelf> shelf)
+    : outline(outline_of(one)), shelf_(std::move(shelf)), place_(shelf_->put(bytes_of(one))) {}
+
+CaseResults ShelvedCase::whole() const {
+  const std::string bytes = shelf_->at(place_);
+  CaseResults one;
+  one.id = outline.id;
+  one.surface = outline.surface;
+  one.results.resize(outline.answers.size());
+  wire::Reader io(bytes);
+  carry_case(io, one);
+  for (std::size_t r = 0; r < one.results.size(); ++r)
+    static_cast<ResultOutline&>(one.results[r]) = outline.answers[r];
+  return one;
+}
+
+std::optional<std::size_t> CaseList::find(const std::string& id) const {
+  const auto found = std::ranges::find(
+      cases_, id, [](const ShelvedCase& one) -> const std::string& { return one.outline.id; });
+  if (found == cases_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - cases_.begin());
+}
+
+void CaseList::merge(CaseList other) {
+  std::ranges::move(other.cases_, std::back_inserter(cases_));
+  std::ranges::sort(cases_, {},
+                    [](const ShelvedCase& one) -> const std::string& { return one.outline.id; });
+}
+
+const std::shared_ptr<Shelf>& CaseList::own_shelf() {
+  if (shelf_ == nullptr) shelf_ = std::make_shared<Shelf>();
+  return shelf_;
+}
+
+}  // namespace edgecase

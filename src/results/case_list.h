@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+//
+// The cases of results. What was found in them lies on a shelf and is read when it is asked for;
+// at hand is what they came to.
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "model/figure.h"
+#include "model/result.h"
+#include "model/scene.h"
+#include "model/storage.h"
+#include "results/shelf.h"
+
+namespace edgecase {
+
+// One case with the results of all renderers, in the order of Results::renderers.
+struct CaseResults {
+  std::string id;
+  std::string title;
+  std::string why;
+  std::vector<std::string> rules;
+  std::string spec;
+  std::string origin;
+  std::vector<std::string> tags;
+  std::string file;         // path of the case file, as given
+  std::string file_digest;  // of the file's text (model/text.h)
+  std::string surface;
+  int width = 0;
+  int height = 0;
+  std::optional<Viewport> viewport;          // where it is not the target's rectangle
+  Shared<PackedWords> pixels;                // of the exact side, RGBA8, bottom row first
+  SampleImage samples;                       // of the exact side, where it is multisampled
+  std::size_t fragments = 0;                 // of the exact side
+  Figure figure;                             // the case's primitives and vertices
+  std::vector<std::string> expect_failures;  // hand-drawn truths that exact does not meet
+  std::vector<Result> results;
+};
+
+// What is at hand of a case.
+struct CaseOutline {
+  std::string id;
+  std::string surface;
+  std::size_t expect_failures = 0;     // hand-drawn truths that exact does not meet
+  bool has_ramp = false;               // some answer has (Result::ramp)
+  std::vector<ResultOutline> answers;  // by renderer
+};
+
+CaseOutline outline_of(const CaseResults& one);
+
+// Is there anything to show of it, or does every renderer agree, as expected?
+bool has_details(const CaseOutline& one);
+
+// A case that is on a shelf.
+class ShelvedCase {
+ public:
+  // Throws what Shelf::put throws.
+  ShelvedCase(const CaseResults& one, std::shared_ptr<Shelf> shelf);
+
+  // What was put there, with the answers as the outline has them now. Throws what Shelf::at throws.
+  CaseResults whole() const;
+  // What that takes, about.
+  std::size_t bytes() const { return place_.unpacked; }
+
+  CaseOutline outline;
+
+ private:
+  std::shared_ptr<Shelf> shelf_;
+  Shelf::Place place_;
+};
+
+// Goes through a list by what reads one element of it.
+template <class List, auto kRead>
+class ListIterator {
+ public:
+  using difference_type = std::ptrdiff_t;
+  using value_type =
+      std::remove_cvref_t<std::invoke_result_t<decltype(kRead), const List&, std::size_t>>;
+  using iterator_concept = std::input_iterator_tag;
+
+  ListIterator() = default;
+  ListIterator(const List& list, std::size_t index) : list_(&list), index_(index) {}
+  decltype(auto) operator*() const { return (list_->*kRead)(index_); }
+  ListIterator& operator++() {
+    ++index_;
+    return *this;
+  }
+  void operator++(int) { ++index_; }
+  friend bool operator==(const ListIterator&, const ListIterator&) = default;
+
+ private:
+  const List* list_ = nullptr;
+  std::size_t index_ = 0;
+};
+
+// A list of cases, which are values: what is read of it is a copy, and changing that changes
+// nothing here. Several threads may read.
+class CaseList {
+ public:
+  using value_type = CaseResults;
+
+  CaseList() = default;
+  explicit CaseList(std::vector<ShelvedCase> cases) : cases_(std::move(cases)) {}
+
+  std::size_t size() const { return cases_.size(); }
+  bool empty() const { return cases_.empty(); }
+  // Const, so that nobody takes it for a place to write to.
+  const CaseResults operator[](std::size_t index) const { return cases_[index].whole(); }  // NOLINT
+  auto begin() const { return ListIterator < CaseList, &CaseList::operator[]>(*this, 0); }
+  auto end() const { return ListIterator < CaseList, &CaseList::operator[]>(*this, size()); }
+
+  const CaseOutline& outline(std::size_t index) const { return cases_[index].outline; }
+  ResultOutline& answer(std::size_t index, std::size_t renderer) {
+    return cases_[index].outline.answers[renderer];
+  }
+  // The index of a case by its id, or nothing.
+  std::optional<std::size_t> find(const std::string& id) const;
+
+  void push_back(const CaseResults& one) { cases_.emplace_back(one, own_shelf()); }
+  void push_back(ShelvedCase one) { cases_.push_back(std::move(one)); }
+  void replace(std::size_t index, const CaseResults& one) {
+    cases_[index] = ShelvedCase(one, own_shelf());
+  }
+  // Replaces a case by what `change` makes of it.
+  template <class Change>
+  void change(std::size_t index, const Change& change) {
+    CaseResults one = cases_[index].whole();
+    change(one);
+    replace(index, one);
+  }
+  // Adds the cases of another list; all are then sorted by id.
+  void merge(CaseList other);
+  // Leaves out each case of whose outline `is_unwanted` is true.
+  template <class Unwanted>
+  void erase_if(const Unwanted& is_unwanted) {
+    std::erase_if(cases_, [&](const ShelvedCase& one) { return is_unwanted(one.outline); });
+  }
+
+  // What a case takes when it is read, about.
+  std::size_t bytes(std::size_t index) const { return cases_[index].bytes(); }
+  // The outlines of all, in their order.
+  struct Outlines {
+    const CaseList& list;
+    auto begin() const { return ListIterator<CaseList, &CaseList::outline>(list, 0); }
+    auto end() const { return ListIterator<CaseList, &CaseList::outline>(list, list.size()); }
+  };
+  Outlines outlines() const { return {*this}; }
+
+ private:
+  const std::shared_ptr<Shelf>& own_shelf();
+
+  std::vector<ShelvedCase> cases_;
+  std::shared_ptr<Shelf> shelf_;  // of what is added here
+};
+
+}  // namespace edgecase
