@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reference/draw_state.h"
 
+#include <algorithm>
+
 #include "reference/gl_api.h"
 #include "reference/programs.h"
 
@@ -127,6 +129,11 @@ const char* name_of_error(GLenum error) {
     default:
       return "an unknown GL error";
   }
+}
+
+bool is_textured(const Scene& scene) {
+  return std::any_of(scene.draws.begin(), scene.draws.end(),
+                     [](const Draw& draw) { return draw.texture.has_value(); });
 }
 
 }  // namespace edgecase

@@ -29,4 +29,7 @@ GLenum take_error(const GladGLContext& gl);
 
 const char* name_of_error(GLenum error);
 
+// Does a draw look up a texture?
+bool is_textured(const Scene& scene);
+
 }  // namespace edgecase

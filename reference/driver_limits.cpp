@@ -2,6 +2,7 @@
 #include "reference/driver_limits.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

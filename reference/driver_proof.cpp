@@ -15,17 +15,19 @@ namespace {
 struct Driver {
   const char* name;         // on the worker's command line
   const char* gl_renderer;  // the start of GL_RENDERER
+  const char* device;       // what GL_RENDERER also contains: the Vulkan device; empty: nothing
   const char* library;      // the Vulkan driver that must be executable; empty: none
   const char* package;      // the Debian package with the library
   const char* stack;
 };
 
-// zink's GL_RENDERER names the Vulkan device in brackets; lavapipe's device is called llvmpipe.
+// zink's GL_RENDERER names the Vulkan device in brackets: "zink (llvmpipe (...))" in Mesa 22.3,
+// "zink Vulkan 1.4(llvmpipe (...) (...))" in Mesa 25.0. lavapipe's device is called llvmpipe.
 constexpr Driver kDrivers[] = {
-    {"llvmpipe", "llvmpipe", "", "", ""},
-    {"softpipe", "softpipe", "", "", ""},
-    {"zink", "zink (llvmpipe", "libvulkan_lvp.so", "mesa-vulkan-drivers", "zink over lavapipe"},
-    {"zink-swiftshader", "zink (SwiftShader", "libvk_swiftshader.so", "chromium",
+    {"llvmpipe", "llvmpipe", "", "", "", ""},
+    {"softpipe", "softpipe", "", "", "", ""},
+    {"zink", "zink", "(llvmpipe", "libvulkan_lvp.so", "mesa-vulkan-drivers", "zink over lavapipe"},
+    {"zink-swiftshader", "zink", "(SwiftShader", "libvk_swiftshader.so", "chromium",
      "unofficial: zink over the SwiftShader of Debian's chromium, which lacks what zink requires, "
      "and versions of OpenGL overridden"},
 };
@@ -65,8 +67,11 @@ std::string missing_for_driver(const std::string& driver) {
 
 std::string doubt_of_driver(const std::string& driver, const std::string& gl_renderer) {
   const Driver* known = find_driver(driver);
-  if (!gl_renderer.starts_with(known == nullptr ? driver : known->gl_renderer))
-    return fmt::format("the driver is '{}', not {}", gl_renderer, driver);
+  const bool is_requested = known == nullptr
+                                ? gl_renderer.starts_with(driver)
+                                : gl_renderer.starts_with(known->gl_renderer) &&
+                                      gl_renderer.find(known->device) != std::string::npos;
+  if (!is_requested) return fmt::format("the driver is '{}', not {}", gl_renderer, driver);
   if (known != nullptr && *known->library != '\0' && !can_execute(known->library))
     return fmt::format("the driver is '{}', but {} is not what this process executes", gl_renderer,
                        known->library);

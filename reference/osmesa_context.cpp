@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reference/osmesa_context.h"
 
-#include <GL/osmesa.h>
-
 #include <fmt/format.h>
+#include <glad/gl.h>
 
 #include <vector>
 
@@ -13,11 +12,23 @@ namespace edgecase {
 
 namespace {
 
+// What GL/osmesa.h declares. That header is missing where Mesa has no OSMesa any more, and defines
+// OpenGL's own types a second time, beside glad's, where it is present.
+using OSMesaContext = struct osmesa_context*;
+constexpr int kFormat = 0x22;
+constexpr int kDepthBits = 0x30;
+constexpr int kStencilBits = 0x31;
+constexpr int kProfile = 0x33;
+constexpr int kCoreProfile = 0x34;
+constexpr int kMajorVersion = 0x36;
+constexpr int kMinorVersion = 0x37;
+
 struct OsmesaFunctions {
-  decltype(OSMesaCreateContextAttribs)* create_context = nullptr;
-  decltype(OSMesaDestroyContext)* destroy_context = nullptr;
-  decltype(OSMesaMakeCurrent)* make_current = nullptr;
-  decltype(OSMesaGetProcAddress)* get_proc_address = nullptr;
+  OSMesaContext (*create_context)(const int* attributes, OSMesaContext shared) = nullptr;
+  void (*destroy_context)(OSMesaContext context) = nullptr;
+  GLboolean (*make_current)(OSMesaContext context, void* buffer, GLenum type, GLsizei width,
+                            GLsizei height) = nullptr;
+  GlFunction (*get_proc_address)(const char* name) = nullptr;
 
   bool load(const SharedLibrary& library) {
     return library.load("OSMesaCreateContextAttribs", create_context) &&
@@ -70,17 +81,17 @@ class OsmesaContext final : public GlContext {
 };
 
 OSMesaContext create_core_context(const OsmesaFunctions& functions, int major, int minor) {
-  const int attributes[] = {OSMESA_FORMAT,
-                            OSMESA_RGBA,
-                            OSMESA_DEPTH_BITS,
+  const int attributes[] = {kFormat,
+                            GL_RGBA,
+                            kDepthBits,
                             24,
-                            OSMESA_STENCIL_BITS,
+                            kStencilBits,
                             8,
-                            OSMESA_PROFILE,
-                            OSMESA_CORE_PROFILE,
-                            OSMESA_CONTEXT_MAJOR_VERSION,
+                            kProfile,
+                            kCoreProfile,
+                            kMajorVersion,
                             major,
-                            OSMESA_CONTEXT_MINOR_VERSION,
+                            kMinorVersion,
                             minor,
                             0,
                             0};
@@ -91,7 +102,9 @@ OSMesaContext create_core_context(const OsmesaFunctions& functions, int major, i
 
 ContextResult make_osmesa_context() {
   const SharedLibrary library({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
-  if (!library.is_open()) return ContextError{"OSMesa cannot be opened: " + library.error()};
+  if (!library.is_open())
+    return ContextError{"OSMesa cannot be opened: " + library.error() +
+                        "; Mesa ended it in 25.1: name egl:llvmpipe or egl:softpipe instead"};
   OsmesaFunctions functions;
   if (!functions.load(library))
     return ContextError{"OSMesa is too old: it lacks OSMesaCreateContextAttribs"};

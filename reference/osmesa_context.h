@@ -4,7 +4,8 @@
 //
 // The environment variable GALLIUM_DRIVER chooses llvmpipe or softpipe; it must be set before the
 // process starts. The context is always bound to a buffer in memory, which is its window: a small
-// one until a scene requests a window surface. Newer releases of Mesa no longer have OSMesa.
+// one until a scene requests a window surface. Mesa has no OSMesa since 25.1: the library is opened
+// at run time, and its header is not needed.
 #pragma once
 
 #include "reference/gl_context.h"

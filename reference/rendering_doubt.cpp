@@ -37,6 +37,14 @@ std::string doubt_of_buffers(const Target& target, const Rendering& rendering) {
 
 }  // namespace
 
+bool has_pixel_of_more(const Rendering& rendering, std::uint32_t most) {
+  if (rendering.fragments.size() <= most) return false;
+  std::vector<std::uint32_t> counts(rendering.pixel_index(0, rendering.height));
+  return std::ranges::any_of(rendering.fragments, [&](const Fragment& fragment) {
+    return ++counts[rendering.pixel_index(fragment.x, fragment.y)] > most;
+  });
+}
+
 std::string doubt_of(const Scene& scene, const Rendering& rendering, std::uint32_t most_hits) {
   std::vector<std::uint32_t> counts(static_cast<std::size_t>(rendering.width) *
                                     static_cast<std::size_t>(rendering.height));

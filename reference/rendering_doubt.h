@@ -18,4 +18,7 @@ namespace edgecase {
 // reference/multisample_doubt.h; their depths and stencils must exist if their colours do.
 std::string doubt_of(const Scene& scene, const Rendering& rendering, std::uint32_t most_hits);
 
+// Does a pixel of a target of one sample have more fragments than `most`?
+bool has_pixel_of_more(const Rendering& rendering, std::uint32_t most);
+
 }  // namespace edgecase

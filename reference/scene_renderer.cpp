@@ -2,6 +2,7 @@
 #include "reference/scene_renderer.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,11 +35,6 @@ GLint to_uniform(Interpolation interpolation) {
       return kNoperspectiveColor;
   }
   return kFlatColor;
-}
-
-bool is_textured(const Scene& scene) {
-  return std::any_of(scene.draws.begin(), scene.draws.end(),
-                     [](const Draw& draw) { return draw.texture.has_value(); });
 }
 
 std::size_t area_of(const Rendering& rendering) {
@@ -261,22 +257,29 @@ void SceneRenderer::read_samples(const MultisampleTarget& target, Rendering& ren
     rendering.stencils = objects_->targets.stencils().read(target);
 }
 
-std::vector<float> SceneRenderer::read_sums(const Surfaces& surfaces, const Rendering& rendering) {
+std::vector<float> SceneRenderer::read_sums(const Surfaces& surfaces, const HitCounter& counter,
+                                            const Rendering& rendering) {
   if (surfaces.multisampled != nullptr)
     return objects_->targets.samples().counts(*surfaces.multisampled);
   std::vector<float> sums(area_of(rendering));
-  const Channels channels = surfaces.count == 0 ? Channels::bytes : Channels::floats;
+  const Channels channels = counter.step < 1 ? Channels::bytes : Channels::floats;
   read_red(gl_, channels, rendering.width, rendering.height, sums.data());
   return sums;
 }
 
-void SceneRenderer::count_hits(const Scene& scene, const Surfaces& surfaces, Rendering& rendering) {
-  clear_for(scene, surfaces.count, {0, 0, 0, 0});
-  draw_all(scene, {&Programs::count, false, nullptr, surfaces.step});
-  const std::vector<float> sums = read_sums(surfaces, rendering);
+std::uint32_t SceneRenderer::count_hits(const Scene& scene, const Surfaces& surfaces,
+                                        Rendering& rendering) {
+  const HitCounter& counter =
+      surfaces.larger_count && has_pixel_of_more(rendering, surfaces.count.most_hits)
+          ? *surfaces.larger_count
+          : surfaces.count;
+  clear_for(scene, counter.framebuffer, {0, 0, 0, 0});
+  draw_all(scene, {&Programs::count, false, nullptr, counter.step});
+  const std::vector<float> sums = read_sums(surfaces, counter, rendering);
   rendering.hits.resize(sums.size());
   std::transform(sums.begin(), sums.end(), rendering.hits.begin(),
-                 [&](float sum) { return hits_of(sum / surfaces.step); });
+                 [&](float sum) { return hits_of(sum / counter.step); });
+  return counter.most_hits;
 }
 
 std::optional<std::string> SceneRenderer::capture_fragments(const Scene& scene,
@@ -382,13 +385,13 @@ Outcome SceneRenderer::render(const Scene& scene, bool coverage_only) {
     rendering.sample_positions = surfaces.multisampled->positions;
   upload(scene);
   if (!coverage_only) draw_pixels(scene, surfaces, rendering);
-  count_hits(scene, surfaces, rendering);
   const auto overflow = capture_fragments(scene, surfaces, coverage_only, rendering);
+  const std::uint32_t most_hits = count_hits(scene, surfaces, rendering);
   drop_details(scene, rendering);
   if (!coverage_only) report_mip_chains(scene, rendering);
   if (auto failure = take_failure()) return std::move(*failure);
   if (overflow) return Failure{FailureKind::unsupported, *overflow};
-  if (std::string doubt = doubt_of(scene, rendering, surfaces.most_hits); !doubt.empty())
+  if (std::string doubt = doubt_of(scene, rendering, most_hits); !doubt.empty())
     return Failure{FailureKind::unsupported, std::move(doubt)};
   return rendering;
 }

@@ -114,8 +114,10 @@ class SceneRenderer {
   // stencils, which stay empty if they are not those of their format.
   void read_samples(const MultisampleTarget& target, Rendering& rendering);
   // The red channel of the count.
-  std::vector<float> read_sums(const Surfaces& surfaces, const Rendering& rendering);
-  void count_hits(const Scene& scene, const Surfaces& surfaces, Rendering& rendering);
+  std::vector<float> read_sums(const Surfaces& surfaces, const HitCounter& counter,
+                               const Rendering& rendering);
+  // The fragments must have been captured. Returns how many hits of a pixel could be counted.
+  std::uint32_t count_hits(const Scene& scene, const Surfaces& surfaces, Rendering& rendering);
   std::optional<std::string> capture_fragments(const Scene& scene, const Surfaces& surfaces,
                                                bool coverage_only, Rendering& rendering);
   // Removes what the scene does not request, and what this driver's GLSL lacks.

@@ -17,8 +17,14 @@ namespace {
 // Sizes kept at a time; a suite uses a handful.
 constexpr std::size_t kMostSizes = 16;
 
-// R32F counts exactly up to here.
-constexpr std::uint32_t kFloatHits = std::uint32_t{1} << 24;
+HitCounter byte_counter(GLuint framebuffer) {
+  constexpr std::uint32_t kMost = 255;
+  return {framebuffer, 1.0f / kMost, kMost};
+}
+
+HitCounter float_counter(GLuint framebuffer) {
+  return {framebuffer, 1, std::uint32_t{1} << 24};
+}
 
 GlRenderbuffer make_image(const GladGLContext& gl, GLenum format, const Target& target) {
   GlRenderbuffer image = make_renderbuffer(gl);
@@ -82,7 +88,9 @@ std::variant<Surfaces, std::string> Targets::find_objects(const Target& target) 
     if (std::string reason = make(target, made); !reason.empty()) return reason;
     found = sizes_.emplace(key, std::move(made)).first;
   }
-  return Surfaces{found->second.color.name(), found->second.count.name(), 1, kFloatHits, nullptr};
+  const Buffers& buffers = found->second;
+  return Surfaces{buffers.color.name(), byte_counter(buffers.color.name()),
+                  float_counter(buffers.count.name()), nullptr};
 }
 
 std::variant<Surfaces, std::string> Targets::find_multisampled(const Target& target) {
@@ -109,11 +117,10 @@ std::variant<Surfaces, std::string> Targets::find_multisampled(const Target& tar
       return reason;
     found = multisampled_.insert(multisampled_.end(), std::move(made));
   }
-  return Surfaces{found->color.name(), found->count.name(), 1, kFloatHits, &*found};
+  return Surfaces{found->color.name(), float_counter(found->count.name()), std::nullopt, &*found};
 }
 
 std::variant<Surfaces, std::string> Targets::find_window(const Target& target) {
-  constexpr std::uint32_t kByteHits = 255;
   if (std::string error = context_.bind_window(target.width, target.height); !error.empty())
     return error;
   gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -133,7 +140,7 @@ std::variant<Surfaces, std::string> Targets::find_window(const Target& target) {
       return fmt::format("the window-system framebuffer is not {}: {}", name_of(target.stencil),
                          doubt);
   }
-  return Surfaces{0, 0, 1.0f / kByteHits, kByteHits, nullptr};
+  return Surfaces{0, byte_counter(0), std::nullopt, nullptr};
 }
 
 std::variant<Surfaces, std::string> Targets::find(const Target& target) {

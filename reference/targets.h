@@ -3,9 +3,9 @@
 // The framebuffers for the passes of a scene: framebuffer objects, kept for the next scene of the
 // same size and formats, or the framebuffer of the window system.
 //
-// Hits are counted by additive blending. A framebuffer object counts in R32F, exact up to 2^24 hits
-// per pixel. A window only has RGBA8 and must do the counting too, or another surface's rules would
-// be counted: each hit adds 1/255, one step of an 8-bit channel, which is exact up to 255 hits.
+// Hits are counted by additive blending, on the scene's own target, or another format's rules would
+// be counted: each hit adds 1/255, one step of an 8-bit channel, which is exact up to 255 hits. A
+// framebuffer object with more hits at a pixel counts again in R32F, exact up to 2^24.
 //
 // If a scene requests a depth buffer, it is part of the framebuffer object and of that of the
 // count, so that all passes are drawn with the same state; likewise a stencil buffer, packed with
@@ -32,12 +32,18 @@
 
 namespace edgecase {
 
-// Framebuffers by name, and how hits are counted in the second.
-struct Surfaces {
-  GLuint color = 0;             // RGBA8: the scene's own target; 0 is the window
-  GLuint count = 0;             // its red channel holds hits, in units of `step`
+// How hits are counted in a framebuffer.
+struct HitCounter {
+  GLuint framebuffer = 0;       // its red channel holds hits, in units of `step`
   float step = 1;               // the value of one hit
   std::uint32_t most_hits = 0;  // per pixel; counts beyond are wrong
+};
+
+// Framebuffers by name.
+struct Surfaces {
+  GLuint color = 0;  // RGBA8: the scene's own target; 0 is the window
+  HitCounter count;
+  std::optional<HitCounter> larger_count;  // where a pixel has too many hits for the other
   // The two framebuffers if they are multisampled, which samples() reads; otherwise null.
   const MultisampleTarget* multisampled = nullptr;
 };
@@ -61,7 +67,7 @@ class Targets {
     GlRenderbuffer color_image;
     GlFramebuffer color;
     GlRenderbuffer count_image;
-    GlFramebuffer count;
+    GlFramebuffer count;  // of many hits
   };
 
   // Why there are no such framebuffers, as a sentence; empty if they are made.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
+#include "reference/draw_state.h"
 #include "reference/driver_limits.h"
 #include "reference/scene_renderer.h"
 
@@ -13,8 +13,7 @@ std::variant<DrawingTime, std::string> SceneRenderer::time_drawing(const Scene& 
   using Clock = std::chrono::steady_clock;
   std::string problem = problem_.empty() ? limit_exceeded_by(scene, limits_) : problem_;
   if (!problem.empty()) return problem;
-  const bool looks_up = std::any_of(scene.draws.begin(), scene.draws.end(),
-                                    [](const Draw& draw) { return draw.texture.has_value(); });
+  const bool looks_up = is_textured(scene);
   const auto prepared = prepare(scene, looks_up);
   if (const auto* failure = std::get_if<Failure>(&prepared)) return failure->reason;
   const Surfaces& surfaces = std::get<Surfaces>(prepared);

@@ -66,7 +66,7 @@ struct GalleryPage {
   std::string title;
   std::string about;
   std::string policy;    // name
-  std::string renderer;  // "osmesa:llvmpipe (llvmpipe, LLVM 15)"
+  std::string renderer;  // "egl:llvmpipe (llvmpipe, LLVM 15)"
   std::vector<std::string> sources;
   std::vector<GalleryLink> links;  // to the galleries that are written together
   std::vector<GalleryChoice> choices;

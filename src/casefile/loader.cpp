@@ -2,6 +2,7 @@
 #include "casefile/loader.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstddef>
 #include <filesystem>

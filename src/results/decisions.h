@@ -3,7 +3,7 @@
 // Decisions: what a reviewer made of answers, case by case, for `edgecase bless --from`.
 //
 //   {"edgecase_decisions": 2,
-//    "renderer": "osmesa:softpipe",
+//    "renderer": "egl:softpipe",
 //    "decisions": [
 //      {"case": "points/centres", "renderer": "egl:softpipe",
 //       "verdict": "violation", "fingerprint": "0123456789abcdef",

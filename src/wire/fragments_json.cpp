@@ -4,6 +4,7 @@
 #include "wire/fragments_json.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

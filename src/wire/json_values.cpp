@@ -2,6 +2,7 @@
 #include "wire/json_values.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -5,6 +5,7 @@
 #include "wire/rendering_json.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 

@@ -74,7 +74,7 @@ def result_seeds(folder):
     seeds = []
     for number, scene in enumerate(SCENES):
         path = folder / f"{number}.zst"
-        edgecase("run", ROOT / "cases" / f"{scene}.json", "--against", "osmesa:softpipe",
+        edgecase("run", ROOT / "cases" / f"{scene}.json", "--against", "egl:softpipe",
                  "--against", "exact", "--json", path, cwd=folder)
         packed = path.read_bytes()
         seeds += [packed, subprocess.run(["zstdcat"], input=packed, capture_output=True).stdout]
@@ -95,7 +95,7 @@ def recording_seeds(folder):
 
 
 def answer_seeds(folder):
-    programs = [[str(BIN / "edgecase-gl"), "osmesa"],
+    programs = [[str(BIN / "edgecase-gl"), "egl-surfaceless"],
                 [sys.executable, str(ROOT / "reference/examples/rasterizer.py")]]
     seeds = []
     for number, scene in enumerate(SCENES):

@@ -25,7 +25,7 @@ class Debian(unittest.TestCase):
 
     def test_dependencies(self):
         depends = field(self.packages["edgecase"], "Depends")
-        for name in ("libc6", "libfmt9", "libopenimageio2.4", "libosmesa6", "libegl1"):
+        for name in ("libc6", "libfmt", "libopenimageio", "libegl1"):
             self.assertIn(name, depends)
         for name in ("libedgecase", "libgtest", "-dev"):
             self.assertNotIn(name, depends)
@@ -54,8 +54,8 @@ class Debian(unittest.TestCase):
         root = self.folder / "root"
         run("dpkg-deb", "-x", self.packages["edgecase"], root, cwd=self.folder)
         told = run(root / "usr/bin/edgecase", "run", "--filter", "lines/short/*", "--against",
-                   "osmesa:softpipe", cwd=self.folder)
-        self.assertIn("osmesa:softpipe", told.stdout)
+                   "egl:softpipe", cwd=self.folder)
+        self.assertIn("egl:softpipe", told.stdout)
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ class Installed(InstalledTest):
                               self.command("run", "--list").stdout.split()}, {"mine"})
             # Policies and profiles that it has none of are those of the installed suite.
             self.command("run", "--policy", "scotty3d", "--against", "exact", "--json", "-")
-            self.command("run", "--policy", "profile", "--against", "osmesa:llvmpipe", "--json",
+            self.command("run", "--policy", "profile", "--against", "egl:llvmpipe", "--json",
                          "-", expect=None)
         finally:
             (here / "mine.json").unlink()
@@ -32,21 +32,21 @@ class Installed(InstalledTest):
 
     def test_renderers_and_known_faults_are_found(self):
         """A renderer whose every difference is known is as expected: exit code 0."""
-        self.command("run", "--filter", "lines/short/*", "--against", "osmesa:softpipe",
+        self.command("run", "--filter", "lines/short/*", "--against", "egl:softpipe",
                      "--against", "egl:llvmpipe", "--json", "results.json", "--html", "report.html")
         results = results_file.read(self.folder / "results.json")
-        verdicts = {one["results"]["osmesa:softpipe"]["verdict"] for one in results["cases"]}
+        verdicts = {one["results"]["egl:softpipe"]["verdict"] for one in results["cases"]}
         self.assertIn("violation", verdicts)
         self.assertGreater((self.folder / "report.html").stat().st_size, 100000)
 
     def test_the_suite_as_googletest_is_installed(self):
-        told = run(self.prefix / "bin/edgecase-gtest", "--against", "osmesa:softpipe",
+        told = run(self.prefix / "bin/edgecase-gtest", "--against", "egl:softpipe",
                    "--gtest_filter=lines/short.zero_length", cwd=self.folder)
         self.assertIn("[       OK ] lines/short.zero_length", told.stdout)
 
     def test_blessing_writes_beside_the_work(self):
         """What is installed is not written to, and a folder known here counts beside it."""
-        softpipe = ["--filter", "lines/short/*", "--against", "osmesa:softpipe", "--json", "r.json"]
+        softpipe = ["--filter", "lines/short/*", "--against", "egl:softpipe", "--json", "r.json"]
         (self.folder / "nothing").mkdir()
         self.command("run", *softpipe, "--known", "nothing", expect=1)
         self.command("bless", "r.json", "--apply")
@@ -63,9 +63,9 @@ class Installed(InstalledTest):
             return {path: path.stat().st_mtime_ns for path in self.prefix.rglob("*")}
         before = files()
         short = ["--filter", "lines/short/*"]
-        self.command("run", *short, "--against", "mine=osmesa:softpipe", "--against", "exact")
+        self.command("run", *short, "--against", "mine=egl:softpipe", "--against", "exact")
         self.command("bless", "--apply")
-        self.command("record", *short, "--against", "osmesa:softpipe", "-o", "softpipe.rec")
+        self.command("record", *short, "--against", "egl:softpipe", "-o", "softpipe.rec")
         self.command("new", "mine.json", "--from", "lines/short/zero-length")
         self.command("gallery", "direct3d-11")
         self.command("validate", *short)
@@ -86,7 +86,7 @@ class Installed(InstalledTest):
 
     def test_by_id_and_by_rule(self):
         told = self.command("minimize", "lines/diagonals/two-in-a-column", "--against",
-                            "osmesa:softpipe")
+                            "egl:softpipe")
         self.assertIn('"lines"', told.stdout)
         self.assertIn('"line.snap"', self.command("new", "-", "--rule", "line.snap").stdout)
 

@@ -31,13 +31,13 @@ def translated(source, includes, folder):
     """The claims of the file as functions without calls."""
     whole, inlined = folder / "whole.ll", folder / "inlined.ll"
     subprocess.run(
-        ["clang++-14", "-std=c++20", "-O1", "-Xclang", "-disable-llvm-passes", "-fno-exceptions",
+        ["clang++", "-std=c++20", "-O1", "-Xclang", "-disable-llvm-passes", "-fno-exceptions",
          "-fsanitize=signed-integer-overflow,shift,integer-divide-by-zero",
          "-fsanitize-trap=all", *(f"-I{path}" for path in includes), "-S", "-emit-llvm", source,
          "-o", whole], check=True)
     names = re.findall(r"^define [^\n]*@(claim_\w+)\(", whole.read_text(), re.M)
     subprocess.run(
-        ["opt-14", "-S", f"-passes={PASSES}", "-inline-threshold=1000000",
+        ["opt", "-S", f"-passes={PASSES}", "-inline-threshold=1000000",
          "-unroll-threshold=100000", f"-internalize-public-api-list={','.join(names)}", whole,
          "-o", inlined], check=True)
     return ir.functions(inlined.read_text(), "claim_")

@@ -43,7 +43,7 @@ class Policies(CommandTest):
         self.copy_suite("triangles")
         for policy in POLICIES:
             results = self.results("cases/triangles/ties", "--policy", policy, "--against",
-                                   "osmesa:softpipe", expect=UNEXPECTED)
+                                   "egl:softpipe", expect=UNEXPECTED)
             self.assertLessEqual(set(verdicts(results).values()), {"agree", "violation"})
 
     def test_one_that_opengl_judges_does_not_excuse_what_opengl_forbids(self):

@@ -6,7 +6,7 @@ import unittest
 
 from support import AS_EXPECTED, INTERNAL, UNEXPECTED, USAGE, CommandTest, only_result
 
-RENDERER = "osmesa:softpipe"
+RENDERER = "egl:softpipe"
 AGAINST = ["--against", RENDERER]
 FILE = "cases/known/softpipe.json"
 
@@ -140,11 +140,11 @@ class Bless(CommandTest):
             for case in results["cases"] for result in [only_result(case)]
             if result["verdict"] == "violation"][:3]
         late = {**other, "fingerprint": "0123456789abcdef"}
-        elsewhere = {**third, "renderer": "egl:softpipe"}
+        elsewhere = {**third, "renderer": "egl:llvmpipe"}
         run = self.decide({**one, "link": "https://example.org/3"}, late,
                           {**third, "decision": "reject"}, elsewhere, expect=UNEXPECTED)
         self.assertIn(f"! {other['case']} {RENDERER}: refused: it was made on", run.stdout)
-        self.assertIn(f"! {third['case']} egl:softpipe: refused", run.stdout)
+        self.assertIn(f"! {third['case']} egl:llvmpipe: refused", run.stdout)
         self.assertIn(f"{third['case']} {RENDERER}: rejected, and stays unexpected", run.stdout)
         for fault in self.faults().values():
             self.assertEqual((fault["cases"], fault["reason"], fault["link"]),

@@ -92,16 +92,16 @@ class Slurm(Example):
         return run
 
     def test_four_tasks_are_one_run(self):
-        whole = self.whole("osmesa:softpipe")
-        self.submit("--against", "osmesa:softpipe", expect=AS_EXPECTED)
+        whole = self.whole("egl:softpipe")
+        self.submit("--against", "egl:softpipe", expect=AS_EXPECTED)
         for number in range(1, SHARDS + 1):
             self.assertTrue((self.checkout / f"joined/shard-{number}.zst").exists())
         self.check_joined(self.checkout / "joined", whole)
 
     def test_its_exit_code_is_that_of_the_run(self):
         (self.checkout / "cases/known/softpipe.json").unlink()
-        whole = self.whole("osmesa:softpipe", expect=UNEXPECTED)
-        self.submit("--against", "osmesa:softpipe", expect=UNEXPECTED)
+        whole = self.whole("egl:softpipe", expect=UNEXPECTED)
+        self.submit("--against", "egl:softpipe", expect=UNEXPECTED)
         self.check_joined(self.checkout / "joined", whole)
 
 

@@ -26,21 +26,21 @@ class Texts(CommandTest):
             self.assertIn("Exit codes: 0", self.command(subcommand, "--help").stdout)
 
     def test_explain_a_pixel(self):
-        results = self.results(TIE, "--against", "osmesa:softpipe", expect=None)
+        results = self.results(TIE, "--against", "egl:softpipe", expect=None)
         told = only_result(results["cases"][0])["disagreements"][0]
         x, y = told["pixel"]
         out = self.command("explain", TIE, "--pixel", f"{x},{y}", "--against",
-                           "osmesa:softpipe").stdout
+                           "egl:softpipe").stdout
         self.assertIn("triangles/ties/flat-bottom: A thin triangle", out)
         self.assertIn(f"Pixel ({x}, {y}), centre ({x + .5}, {y + .5}), by policy opengl:", out)
         self.assertIn("primitive 0 does not draw it (triangle.fill-rule): the sample", out)
-        self.assertIn("osmesa:softpipe (softpipe): convention", out)
+        self.assertIn("egl:softpipe (softpipe): convention", out)
         self.assertIn(told["explanation"], out)
         self.assertIn(f"Ruling {told['ruling']}.", out)
         # Another pixel is not spoken of.
         self.assertNotIn(told["explanation"],
                          self.command("explain", TIE, "--pixel", "0,0", "--against",
-                                      "osmesa:softpipe").stdout)
+                                      "egl:softpipe").stdout)
 
     def test_explain_draws_what_exact_draws(self):
         path = self.write("one.json", triangle_case(draws=[
@@ -155,7 +155,7 @@ def unfilter(kind, line, above, size):
 
 class Render(CommandTest):
     def test_png_files_show_the_pixels_top_row_first(self):
-        for renderer, scale in (("exact", 1), ("osmesa:llvmpipe", 3)):
+        for renderer, scale in (("exact", 1), ("egl:llvmpipe", 3)):
             self.command("render", f"{SUITE}/colors", "--with", renderer, "--png",
                          "pictures", "--scale", scale)
             lines = self.command("render", f"{SUITE}/colors", "--with", renderer,

@@ -108,7 +108,7 @@ class Compare(CommandTest):
                                                       expect=USAGE).stderr)
         self.command("compare", "good.json", expect=USAGE)
         self.command("compare", "good.json", "bad.json", "--json", "/proc/none/x", expect=INTERNAL)
-        self.command("run", "cases", "--against", "osmesa:llvmpipe", "--against", "exact",
+        self.command("run", "cases", "--against", "egl:llvmpipe", "--against", "exact",
                      "--json", "two.json", expect=None)
         self.run_to("other.json", self.odd_renderer("refuse", "", "cases"))
         self.assertIn("no renderer is in both", self.command("compare", "two.json", "other.json",

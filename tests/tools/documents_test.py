@@ -51,9 +51,9 @@ NOT_RUN = {
     "git clone https://github.com/KhronosGroup/VK-GL-CTS": "fetches and builds Khronos's tests",
     "cd cts/modules/gles3": "needs Khronos's tests",
     "LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=softpipe piglit": "needs Piglit, and minutes",
-    "build/release/bin/edgecase profile --against osmesa:softpipe":
+    "build/release/bin/edgecase profile --against egl:softpipe":
         "takes minutes; profile_test asks for fewer scenes",
-    "build/release/bin/edgecase fuzz --against osmesa:llvmpipe --policy profile --rules grid-lines":
+    "build/release/bin/edgecase fuzz --against egl:llvmpipe --policy profile --rules grid-lines":
         "asks for 62 million scenes; fuzz_test ends such a search on part of them",
 }
 
@@ -204,14 +204,14 @@ class Documents(CommandTest):
             path.write_text(f"#!{sys.executable}\n{program}", encoding="utf-8")
             path.chmod(0o755)
         earlier = [f"edgecase run --shard {part}/4 --json {part}.zst" for part in range(1, 5)]
-        for command in (*earlier, "edgecase run --against osmesa:softpipe"):
+        for command in (*earlier, "edgecase run --against egl:softpipe"):
             run = cls.shell(command, cls.checkout)
             if run.returncode != 0:
                 raise AssertionError(f"{command}: {run.stdout[-2000:]}{run.stderr[-2000:]}")
         for name in ("old.zst", "new.zst"):
             shutil.copy(cls.checkout / "out/results.zst", cls.checkout / name)
         (cls.checkout / "decisions.json").write_text(json.dumps(
-            {"edgecase_decisions": 2, "renderer": "osmesa:softpipe", "decisions": []}),
+            {"edgecase_decisions": 2, "renderer": "egl:softpipe", "decisions": []}),
             encoding="utf-8")
 
     @staticmethod

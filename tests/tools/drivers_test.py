@@ -6,7 +6,8 @@ import json
 import subprocess
 import unittest
 
-from support import BIN, MESA, PATIENCE, RENDERER, SUITE, CommandTest, environment, places
+from support import (BIN, FRONT_ENDS, MESA, PATIENCE, RENDERER, SUITE, CommandTest, environment,
+                     places)
 
 WORKER = str(BIN / "edgecase-gl")
 # A row of centres on the bottom edge of a triangle, where each driver has a rule of its own.
@@ -27,7 +28,9 @@ VULKAN = {
 ZINK = {"MESA_LOADER_DRIVER_OVERRIDE": "zink", "LIBGL_ALWAYS_SOFTWARE": "1",
         "NODEVICE_SELECT": "1", "MESA_GL_VERSION_OVERRIDE": "4.3",
         "MESA_GLSL_VERSION_OVERRIDE": "430", "LP_NUM_THREADS": "0"}
-LIBRARY = {"osmesa": "libOSMesa.so", "egl-surfaceless": "libEGL"}
+LIBRARY = {"egl-surfaceless": "libEGL"}
+if "osmesa" in FRONT_ENDS:
+    LIBRARY["osmesa"] = "libOSMesa.so"
 
 
 def executable_mappings(pid):
@@ -85,7 +88,7 @@ class Drivers(CommandTest):
                 continue
             variables = {**ZINK, "VK_ICD_FILENAMES": found[0], "VK_DRIVER_FILES": found[0]}
             answer, mappings = self.work("egl-surfaceless", driver, request, **variables)
-            self.assertTrue(answer["renderer"]["device"].startswith("zink ("))
+            self.assertTrue(answer["renderer"]["device"].startswith("zink "))
             executed = {name for name in libraries if any(name in path for path in mappings)}
             self.assertEqual(executed, {library})
             self.assertEqual("unofficial" in answer["renderer"]["traits"]["stack"],
@@ -96,7 +99,7 @@ class Drivers(CommandTest):
                                      input="", capture_output=True, text=True, timeout=PATIENCE,
                                      env=environment(**variables))
                 self.assertEqual(run.returncode, 3)
-                self.assertIn("the driver is 'zink (", run.stderr)
+                self.assertIn("the driver is 'zink ", run.stderr)
                 self.assertIn(f"not {promised}", run.stderr)
 
     def test_zink_draws_the_same_with_any_number_of_threads(self):
@@ -123,7 +126,7 @@ class Drivers(CommandTest):
             self.assertIn(front_end.upper(), contexts[renderer].upper())
             drawn[renderer] = json.loads(
                 self.command("render", case, "--with", renderer, "--json", "-").stdout)
-        for front_end in ("osmesa", "egl"):
+        for front_end in FRONT_ENDS:
             one, other = (drawn[f"{front_end}:{driver}"] for driver in BY_HAND)
             self.assertNotEqual(places(one["fragments"]), places(other["fragments"]))
             self.assertNotEqual(one["pixels"], other["pixels"])

@@ -5,9 +5,9 @@ import unittest
 
 from support import (AS_EXPECTED, RENDERER, ROOT, UNEXPECTED, USAGE, CommandTest, triangle_case)
 
-SOFTPIPE = "osmesa:softpipe"
+SOFTPIPE = "egl:softpipe"
 # The command looks for policies and profiles in the folder cases below where it runs.
-PROFILE = ("--policy", ROOT / "cases" / "profiles" / "osmesa-softpipe.json")
+PROFILE = ("--policy", ROOT / "cases" / "profiles" / "egl-softpipe.json")
 
 
 class Fuzz(CommandTest):
@@ -64,7 +64,7 @@ class Fuzz(CommandTest):
         self.write("no-finds.json", '{"finds": [{"renderer": 1}]}')
         self.write("gone/a.json", triangle_case(rules=["triangle.fill-rule"], surprise=1))
         for arguments, words in (
-                (["--against", "osmesa:swrast"], ["osmesa:swrast", "osmesa:softpipe"]),
+                (["--against", "egl:swrast"], ["egl:swrast", "egl:softpipe"]),
                 (["--against", "exact", "--rules", "linse"], ["linse", "shared-edges"]),
                 (["--against", "exact", "--seconds", "0"], ["--seconds"]),
                 (["--against", "exact", "--exhaustive", "--rules", "points"],

@@ -97,7 +97,7 @@ class Own(CommandTest):
     def test_what_a_renderer_does_not_support_is_no_failure(self):
         self.write("cases/one.json", EDGE | {
             "target": {"width": 8, "height": 8, "samples": 4}})
-        _, page = self.page("--against", "osmesa:softpipe")
+        _, page = self.page("--against", "egl:softpipe")
         self.assertIn("this driver has no multisampled targets", page)
 
     def test_mistakes_are_told(self):

@@ -8,7 +8,7 @@ from suite_data import IS_QUICK
 from support import (AS_EXPECTED, INTERNAL, NOTHING_SELECTED, SUITE, UNEXPECTED, USAGE,
                      CommandTest, only_result)
 
-RENDERERS = ["--against", "osmesa:llvmpipe", "--against", "osmesa:softpipe"]
+RENDERERS = ["--against", "egl:llvmpipe", "--against", "egl:softpipe"]
 # Lines and joints, both surfaces, samples, ramps, and pictures large enough to be folded.
 FOLDERS = ["lines/joints", "lines/directions", "lines/ends", "samples/shading",
            "surfaces/lines.json", "textures/scenes", "colors/smooth", "scenes/floor.json"]

@@ -8,7 +8,7 @@ import unittest
 from support import (NOTHING_SELECTED, RENDERER, ROOT, SUITE, USAGE, CommandTest, only_result,
                      triangle_case)
 
-LLVMPIPE = "osmesa:llvmpipe"
+LLVMPIPE = "egl:llvmpipe"
 # Where llvmpipe differs, with the rule that the case is about.
 KNOWN = [f"{SUITE}/lines/joints/twice-on-a-corner.json",
          f"{SUITE}/lines/wide/ends-before-they-move.json",
@@ -51,8 +51,8 @@ class Minimize(CommandTest):
                 self.assertLessEqual(told["to"]["width"] * told["to"]["height"],
                                      told["from"]["width"] * told["from"]["height"])
                 # What a renderer is known to do is read from the suite that a case is of.
-                profile = ROOT / "cases" / "profiles" / "osmesa-llvmpipe.json"
-                self.write("cases/profiles/osmesa-llvmpipe.json", profile.read_text("utf-8"))
+                profile = ROOT / "cases" / "profiles" / "egl-llvmpipe.json"
+                self.write("cases/profiles/egl-llvmpipe.json", profile.read_text("utf-8"))
                 case = self.write("cases/small.json", told["minimized"])
                 self.command("validate", case)
                 again = self.minimized(case, "--against", LLVMPIPE)
@@ -67,7 +67,7 @@ class Minimize(CommandTest):
                                      r"  from 2 primitives, 4x4, 1 fraction bit, .*\n"
                                      r"  to 2 primitives, .*: line .*\n  \d+ scenes asked\n$")
         case = json.loads((self.folder / "new/small.json").read_text(encoding="utf-8"))
-        self.assertIn("Minimised from lines/joints/twice-on-a-corner. osmesa:llvmpipe",
+        self.assertIn("Minimised from lines/joints/twice-on-a-corner. egl:llvmpipe",
                       case["why"])
         self.assertEqual(case["rules"], ["line.joint"])
         self.assertIn("line.joint extra", case["title"])
@@ -134,8 +134,8 @@ class Minimize(CommandTest):
                 run = self.command("minimize", *arguments, "--against", LLVMPIPE, expect=USAGE)
                 self.assertIn(message, run.stderr)
                 self.assertEqual(run.stdout, "")
-        run = self.command("minimize", KNOWN[0], "--against", "osmesa:pipe", expect=USAGE)
-        self.assertIn("osmesa:pipe", run.stderr)
+        run = self.command("minimize", KNOWN[0], "--against", "egl:pipe", expect=USAGE)
+        self.assertIn("egl:pipe", run.stderr)
 
 
 if __name__ == "__main__":

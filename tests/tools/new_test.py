@@ -6,7 +6,7 @@ import unittest
 
 from support import AS_EXPECTED, NOTHING_SELECTED, UNEXPECTED, USAGE, CommandTest, only_result
 
-SOFTPIPE = ["--against", "osmesa:softpipe"]
+SOFTPIPE = ["--against", "egl:softpipe"]
 
 
 class New(CommandTest):
@@ -82,7 +82,7 @@ class New(CommandTest):
                  "--title", "Found")
         why = self.read("cases/finds/find.json")["why"]
         told = only_result(found)["disagreements"][0]["explanation"]
-        self.assertIn(f"osmesa:softpipe: violation: {told}", why)
+        self.assertIn(f"egl:softpipe: violation: {told}", why)
 
         after = self.results("cases/finds", *SOFTPIPE, expect=UNEXPECTED)
         (case,) = after["cases"]

@@ -15,7 +15,7 @@ FINDING = re.compile(r"^### (?P<fault>.+)\n\n.*?Rulings? (?P<rulings>[\d, ]+) (?
 WORST = {"forbid": "illegal", "contest": "contested", "allow": "legal"}
 GALLERY = [match.groupdict() for match in FINDING.finditer(FINDINGS)]
 BETWEEN = f"{SUITE}/lines/short/between-diamonds.json"
-SOFTPIPE = ("--against", "osmesa:softpipe")
+SOFTPIPE = ("--against", "egl:softpipe")
 
 
 class Gallery(CommandTest):
@@ -56,7 +56,7 @@ class Gallery(CommandTest):
 class DrawAgainst(CommandTest):
     def test_as_text(self):
         out = self.command("draw", BETWEEN, *SOFTPIPE).stdout
-        exact, rendered = out.split("osmesa:softpipe\n")
+        exact, rendered = out.split("egl:softpipe\n")
         self.assertEqual(exact.count("#"), 0)
         self.assertEqual(rendered.split("\n")[4], "...#....")
 
@@ -89,7 +89,7 @@ class DrawAgainst(CommandTest):
                      expect=NOTHING_SELECTED)
 
     def test_mistakes_are_told(self):
-        self.command("draw", BETWEEN, "--against", "osmesa:nonsense", expect=USAGE)
+        self.command("draw", BETWEEN, "--against", "egl:nonsense", expect=USAGE)
         self.command("draw", BETWEEN, *SOFTPIPE, "--rule", "line.algorithm", expect=USAGE)
 
     def test_exact_beside_itself_differs_nowhere(self):

@@ -45,10 +45,10 @@ class Profile(CommandTest):
         """Each seed in a part of its own."""
         triangles = {"triangle.algorithm", "triangle.row-order", "triangle.snap"}
         for renderer, known in (
-                ("osmesa:softpipe",
+                ("egl:softpipe",
                  triangles | {"point.offset", "point.ownership", "point.row-order", "point.snap",
                               "line.algorithm", "line.row-order", "line.snap"}),
-                ("osmesa:llvmpipe", triangles | {"triangle.fill-rule"})):
+                ("egl:llvmpipe", triangles | {"triangle.fill-rule"})):
             file = PROFILES / (renderer.replace(":", "-") + ".json")
             expected = json.loads(file.read_text(encoding="utf-8"))
             for seed in in_share(("11", "12")):
@@ -59,7 +59,7 @@ class Profile(CommandTest):
 
     @in_full_tier
     def test_softpipe_tears_shared_edges(self):
-        traits = self.traits(self.profile("osmesa:softpipe", *FEW, "--surface", "fbo"), "fbo")
+        traits = self.traits(self.profile("egl:softpipe", *FEW, "--surface", "fbo"), "fbo")
         shared = traits["triangle.shared-edge"]
         self.assertLess(shared["agreement"]["agreeing"], shared["agreement"]["of"])
         self.assertRegex(shared["remark"],
@@ -67,7 +67,7 @@ class Profile(CommandTest):
                          r"and \d+ hit pixel \(\d+, \d+\) [02] times in triangle")
 
     def test_is_the_same_every_time(self):
-        outputs = {self.command("profile", "--against", "osmesa:softpipe", *FEWEST,
+        outputs = {self.command("profile", "--against", "egl:softpipe", *FEWEST,
                                 "--jobs", jobs, "--json", "-").stdout for jobs in ("1", "2")}
         self.assertEqual(len(outputs), 1)
 
@@ -83,13 +83,13 @@ class Profile(CommandTest):
 
     @in_full_tier
     def test_every_smallest_scene_is_a_case(self):
-        profile = self.profile("osmesa:softpipe", *FEW, "--surface", "fbo")
+        profile = self.profile("egl:softpipe", *FEW, "--surface", "fbo")
         clusters = profile["surfaces"][0]["clusters"]
         self.assertGreater(len(clusters), 3)
         for i, cluster in enumerate(clusters):
             self.write(f"cases/found-{i}.json", cluster["case"])
         self.command("validate", "cases")
-        results = self.results("cases", "--against", "osmesa:softpipe", expect=UNEXPECTED)
+        results = self.results("cases", "--against", "egl:softpipe", expect=UNEXPECTED)
         found = verdicts(results)
         for i, cluster in enumerate(clusters):
             if cluster["legality"] == "legal":
@@ -119,7 +119,7 @@ class Profile(CommandTest):
 
     def test_bad_arguments(self):
         for arguments, words in (
-                (("--against", "osmesa:nothing"), "there is no renderer"),
+                (("--against", "egl:nothing"), "there is no renderer"),
                 (("--against", "exact", "--scenes", "1"), "--scenes"),
                 (("--against", "exact", "--surface", "moon"), "--surface"),
                 ((), "--against is required")):
@@ -131,7 +131,7 @@ class Profile(CommandTest):
 class ProfilePolicy(CommandTest):
     def test_is_that_of_the_one_renderer(self):
         """softpipe agrees with its own profile wherever that is legal, and is not excused else."""
-        results = self.results(f"{SUITE}/triangles", "--against", "osmesa:softpipe",
+        results = self.results(f"{SUITE}/triangles", "--against", "egl:softpipe",
                                "--policy", "profile", expect=None)
         found = set(verdicts(results).values())
         self.assertIn("agree", found)
@@ -139,7 +139,7 @@ class ProfilePolicy(CommandTest):
 
     def test_needs_one_renderer_with_a_profile(self):
         run = self.command("run", f"{SUITE}/points", "--policy", "profile", "--against",
-                           "osmesa:softpipe", "--against", "osmesa:llvmpipe", expect=USAGE)
+                           "egl:softpipe", "--against", "egl:llvmpipe", expect=USAGE)
         self.assertIn("name one with --against", run.stderr)
         self.write("cases/one.json", triangle_case())
         run = self.command("run", "cases", "--policy", "profile", "--against", "exact",

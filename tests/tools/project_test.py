@@ -83,7 +83,7 @@ class Names(ProjectTest):
         self.results("raster/cases", "--against", f"other=exec:{sys.executable} moved.py",
                      expect=UNEXPECTED)
         shutil.copytree(f"{SUITE}/profiles", self.folder / "raster/cases/profiles")
-        profile = self.read("raster/cases/profiles/osmesa-llvmpipe.json")
+        profile = self.read("raster/cases/profiles/egl-llvmpipe.json")
         self.write("raster/cases/profiles/mine.json", {**profile, "name": "profile of mine"})
         self.command("run", "raster/cases", "--policy", "profile", "--json", "p.json", "--against",
                      f"mine=exec:{sys.executable} moved.py", expect=None)
@@ -93,15 +93,15 @@ class Names(ProjectTest):
         self.copy_cases([f"{SUITE}/lines/short/zero-length.json"])
         known = {"driver": "softpipe", "faults": [
             {"id": "planted", "rule": "line.diamond-exit", "cases": ["*"], "reason": "Planted."}]}
-        for name in ("osmesa:softpipe", "mine=osmesa:softpipe"):
+        for name in ("egl:softpipe", "mine=egl:softpipe"):
             results = self.results("cases", "--against", name)
             self.assertEqual(results["renderers"][0]["name"], name.split("=")[0])
-        self.assertEqual(results["renderers"][0]["traits"]["address"], "osmesa:softpipe")
+        self.assertEqual(results["renderers"][0]["traits"]["address"], "egl:softpipe")
         self.write("cases/known/softpipe.json", known)
-        self.command("record", "cases", "--against", "mine=osmesa:softpipe", "-o", "mine.rec")
+        self.command("record", "cases", "--against", "mine=egl:softpipe", "-o", "mine.rec")
         self.command("run", "cases", "--against", "played=recording:mine.rec", "--json", "r.json")
         (info,) = self.told("r.json")["renderers"]
-        self.assertEqual((info["name"], info["traits"]["recorded"]), ("played", "osmesa:softpipe"))
+        self.assertEqual((info["name"], info["traits"]["recorded"]), ("played", "egl:softpipe"))
 
     def test_recordings_of_a_named_program_have_its_name(self):
         self.command("record", "raster/cases", "--against", f"mine={self.exec}", "-o", "mine.rec")
@@ -113,11 +113,11 @@ class Names(ProjectTest):
         for name in ("my own", "exact", "", "-x", "n" * 65):
             told = self.command("run", "--against", f"{name}=exact", expect=USAGE).stderr
             self.assertIn("is no name for a renderer of yours", told)
-        told = self.command("run", "--against", "a=exact", "--against", "a=osmesa:softpipe",
+        told = self.command("run", "--against", "a=exact", "--against", "a=egl:softpipe",
                             expect=USAGE).stderr
         self.assertIn("the renderer a is named twice", told)
-        told = self.command("run", "--against", "a=osmesa:softpip", expect=USAGE).stderr
-        self.assertIn("did you mean osmesa:softpipe?", told)
+        told = self.command("run", "--against", "a=egl:softpip", expect=USAGE).stderr
+        self.assertIn("did you mean egl:softpipe?", told)
 
 
 class File(ProjectTest):
@@ -173,7 +173,7 @@ class File(ProjectTest):
         self.assertEqual(told, 'there is no renderer "mien"; did you mean "mine"? The project has '
                                "mine, ours\n")
         told = self.command("run", "--against", "llvmpipe", expect=USAGE).stderr
-        self.assertIn("did you mean osmesa:llvmpipe?", told)
+        self.assertIn("did you mean egl:llvmpipe?", told)
 
     def test_every_key_is_an_option(self):
         listed = self.command("run", "--help").stdout

@@ -45,7 +45,7 @@ class Record(CommandTest):
 
     def test_a_recording_is_judged_as_the_renderer_is(self):
         some = self.some()
-        for renderer in in_share(("osmesa:llvmpipe", "osmesa:softpipe")):
+        for renderer in in_share(("egl:llvmpipe", "egl:softpipe")):
             with self.subTest(renderer):
                 self.record(renderer, *some)
                 # Green: its known faults are those of the driver.
@@ -63,8 +63,8 @@ class Record(CommandTest):
 
     def test_the_same_whatever_the_number_of_threads(self):
         some = self.some()
-        self.record("osmesa:llvmpipe", *some, "--jobs", "1")
-        self.record("osmesa:llvmpipe", *some, "--jobs", "3", file="three.rec")
+        self.record("egl:llvmpipe", *some, "--jobs", "1")
+        self.record("egl:llvmpipe", *some, "--jobs", "3", file="three.rec")
         one, three = (self.folder / name for name in ("one.rec", "three.rec"))
         self.assertEqual(one.read_bytes(), three.read_bytes())
         # A recording of a recording is the same again.
@@ -73,14 +73,14 @@ class Record(CommandTest):
 
     def test_other_commands_take_it(self):
         case = f"{SUITE}/lines/short/between-diamonds.json"
-        self.record("osmesa:softpipe", case)
+        self.record("egl:softpipe", case)
         for command in (["explain", case, "--against"], ["render", case, "--with"]):
-            live = self.command(*command, "osmesa:softpipe").stdout
+            live = self.command(*command, "egl:softpipe").stdout
             replayed = self.command(*command, "recording:one.rec").stdout
-            self.assertEqual(replayed.replace("recording:one.rec", "osmesa:softpipe"), live)
+            self.assertEqual(replayed.replace("recording:one.rec", "egl:softpipe"), live)
         run = self.command("run", case, "--against", "recording:one.rec", "--json", "r.json",
                            "--junit", "j.xml", "--html", "r.html")
-        self.assertRegex(run.stdout, r"recording:one.rec replays osmesa:softpipe \(softpipe, .*\), "
+        self.assertRegex(run.stdout, r"recording:one.rec replays egl:softpipe \(softpipe, .*\), "
                                      r"whose known faults hold")
         self.command("report", "r.json", "--html", "again.html")
         self.assertIn("recording:one.rec", (self.folder / "again.html").read_text("utf-8"))
@@ -102,7 +102,7 @@ class Record(CommandTest):
 
     def test_a_case_that_changed_and_one_that_is_new_are_not_run(self):
         self.write_cases("kept", "moved")
-        self.record("osmesa:llvmpipe")
+        self.record("egl:llvmpipe")
         changed = triangle_case(title="Triangle moved")
         changed["draws"][0]["vertices"][1] = [6.5, 1]
         self.write("cases/moved.json", changed)
@@ -140,7 +140,7 @@ class Record(CommandTest):
         run = self.record("exec:/nonexistent/program", expect=RENDERER)
         self.assertIn("nothing was written", run.stderr)
         self.assertEqual((self.folder / "one.rec").read_text(), "as it was")
-        self.record("osmesa:nothing", expect=USAGE)
+        self.record("egl:nothing", expect=USAGE)
         self.record("exact", "--filter", "b", expect=NOTHING_SELECTED)
         self.record("exact", file="cases/a.json/one.rec", expect=INTERNAL)
         self.record("exact")

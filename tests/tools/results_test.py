@@ -58,18 +58,18 @@ class Results(CommandTest):
             self.assertTrue(first[name] == again[name], name)
 
     def test_a_shard_is_judged_as_the_whole_is(self):
-        fingerprints = {case["id"]: case["results"]["osmesa:softpipe"]["fingerprint"]
+        fingerprints = {case["id"]: case["results"]["egl:softpipe"]["fingerprint"]
                         for case in cases_of(mesa() / "reports.json")}
         for part in 1, 4:
-            self.command("run", *PROBES, "--against", "osmesa:softpipe", *UNHURRIED,
+            self.command("run", *PROBES, "--against", "egl:softpipe", *UNHURRIED,
                          *shard(part, 6), "--json", "part.json")
-            found = {case["id"]: case["results"]["osmesa:softpipe"]["fingerprint"]
+            found = {case["id"]: case["results"]["egl:softpipe"]["fingerprint"]
                      for case in cases_of(self.folder / "part.json")}
             self.assertLessEqual(found.items(), fingerprints.items())
             self.assertAlmostEqual(len(found), len(fingerprints) / 6, delta=1)
 
     def test_without_latitude_every_difference_is_a_violation(self):
-        against = ["--against", "osmesa:llvmpipe", "--against", "osmesa:softpipe"]
+        against = ["--against", "egl:llvmpipe", "--against", "egl:softpipe"]
         self.command("run", *PROBES, *against, *UNHURRIED, *shard(1, 5), "--no-latitude", "--json",
                      "strict.json", expect=UNEXPECTED)
         strict = {case["id"]: case["results"] for case in cases_of(self.folder / "strict.json")}

@@ -22,7 +22,7 @@ class WholeScenes(CommandTest):
             (self.folder / name).mkdir()
         # More than fifty cases, from files of which each has at least one large scene.
         files = in_share(sorted(pathlib.Path(SCENES).glob("*.json")))
-        results = self.results(*files, "--against", "osmesa:llvmpipe", "--html", "run/report.html")
+        results = self.results(*files, "--against", "egl:llvmpipe", "--html", "run/report.html")
         self.assertGreater(len(results["cases"]), 50 // COUNT)
         large = 0
         for case in results["cases"]:

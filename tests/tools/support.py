@@ -5,6 +5,7 @@ A test owns a temporary folder and runs the command there; it never touches the 
 program is the built one (EDGECASE_BIN), the suite that of the checkout (EDGECASE_ROOT), both set by
 tests/tools/CMakeLists.txt.
 """
+import glob
 import json
 import os
 import pathlib
@@ -27,7 +28,9 @@ SUITE = str(ROOT / "cases")
 # The suite but for its whole scenes: the fragments of one of those are as many as all others
 # together have, and scenes_test.py is about them.
 PROBES = [SUITE, "--exclude", "scenes/*"]
-MESA = ["osmesa:llvmpipe", "osmesa:softpipe", "egl:llvmpipe", "egl:softpipe"]
+# Mesa ended OSMesa in 25.1.
+FRONT_ENDS = ("osmesa", "egl") if glob.glob("/usr/lib/*/libOSMesa.so.*") else ("egl",)
+MESA = [f"{front_end}:{driver}" for front_end in FRONT_ENDS for driver in ("llvmpipe", "softpipe")]
 # What CI systems set for their own shards must not reach the command under test.
 SHARD_VARIABLES = ("TEST_TOTAL_SHARDS", "TEST_SHARD_INDEX", "TEST_SHARD_STATUS_FILE",
                    "CI_NODE_TOTAL", "CI_NODE_INDEX")

@@ -24,7 +24,7 @@ FAULTS = {
     "echo": ("garbage", "its answer is refused"),
     "endless": ("garbage", "goes on"),
 }
-RENDERER_NAME = "osmesa:softpipe"
+RENDERER_NAME = "egl:softpipe"
 
 
 class WorkerFaults(CommandTest):

@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   edgecase::add_run_command(app, exit);
   edgecase::add_report_command(app, exit);
   edgecase::add_compare_command(app, exit);
+  edgecase::add_generations_command(app, exit);
   edgecase::add_merge_command(app, exit);
   edgecase::add_record_command(app, exit);
   edgecase::add_render_command(app, exit);

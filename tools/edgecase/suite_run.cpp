@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/edgecase/suite_run.h"
 
-#include <dlfcn.h>
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <set>
@@ -148,18 +145,8 @@ void SuiteRunOptions::take_project(CLI::App& command, bool asks_all) {
   }
 }
 
-std::string default_renderer() {
-  for (const char* library : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}) {
-    void* handle = dlopen(library, RTLD_LAZY | RTLD_LOCAL);
-    if (handle == nullptr) continue;
-    dlclose(handle);
-    return "osmesa:llvmpipe";
-  }
-  return "egl:llvmpipe";
-}
-
 std::vector<std::string> SuiteRunOptions::named() const {
-  return renderers.empty() ? std::vector{default_renderer()} : renderers;
+  return renderers.empty() ? std::vector<std::string>{kDefaultRenderer} : renderers;
 }
 
 std::optional<Results> run_against(const Suite& suite, const Policy& policy,

@@ -36,9 +36,8 @@ struct SuiteRunOptions {
   std::vector<std::string> named() const;
 };
 
-// The renderer that is used where none is named: OSMesa's llvmpipe, or EGL's where there is no
-// OSMesa.
-std::string default_renderer();
+// The renderer that is used where none is named.
+constexpr const char* kDefaultRenderer = "egl:llvmpipe";
 
 // Are all of them names of renderers, each given once? Prints an error otherwise.
 bool are_known(const std::vector<std::string>& renderers);

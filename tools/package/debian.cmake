@@ -18,8 +18,8 @@ set(CPACK_COMPONENT_COMMAND_DESCRIPTION
  which rule it is about, why, and whether the specification allows it.")
 # What is linked is found by dpkg-shlibdeps; what is opened at run time is not.
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_COMMAND_PACKAGE_DEPENDS "libegl1, libegl-mesa0, libgl1-mesa-dri, libosmesa6")
-set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "libvulkan1, mesa-vulkan-drivers")
+set(CPACK_DEBIAN_COMMAND_PACKAGE_DEPENDS "libegl1, libegl-mesa0, libgl1-mesa-dri")
+set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "libosmesa6, libvulkan1, mesa-vulkan-drivers")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "chromium, python3")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libedgecase-dev)

@@ -2,6 +2,7 @@
 #include "casefile/json/text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,7 @@
 #include "casefile/scene/textures.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

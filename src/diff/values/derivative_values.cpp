@@ -7,6 +7,7 @@
 // axes, is named first, so that neighbours in a quad do not get two names where one suffices. A
 // method that is not open explains only what the specification does not permit.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

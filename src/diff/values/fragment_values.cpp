@@ -2,6 +2,7 @@
 //
 // Colours, depths and gl_FragCoord per fragment (rulings 8, 9, 13 and 17).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -6,6 +6,7 @@
 #include "diff/values/pixel_values.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

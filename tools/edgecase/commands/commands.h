@@ -19,6 +19,7 @@ void add_validate_command(CLI::App& app, ExitCode& exit);
 void add_bless_command(CLI::App& app, ExitCode& exit);
 void add_merge_command(CLI::App& app, ExitCode& exit);
 void add_compare_command(CLI::App& app, ExitCode& exit);
+void add_generations_command(CLI::App& app, ExitCode& exit);
 void add_report_command(CLI::App& app, ExitCode& exit);
 void add_separation_command(CLI::App& app, ExitCode& exit);
 void add_draw_command(CLI::App& app, ExitCode& exit);

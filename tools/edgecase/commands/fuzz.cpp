@@ -252,7 +252,7 @@ ExitCode fuzz_exit_code(const FuzzReport& report) {
 }
 
 ExitCode run_fuzz(FuzzCommand command) {
-  if (command.renderers.empty()) command.renderers = {default_renderer()};
+  if (command.renderers.empty()) command.renderers = {kDefaultRenderer};
   const auto renderers = renderers_of(command);
   if (!renderers) return ExitCode::usage;
   auto options = options_of(command);

@@ -2,6 +2,7 @@
 //
 // edgecase gallery: pictures under policies, beside OpenGL's exact ones and a renderer's.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>

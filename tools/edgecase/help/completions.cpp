@@ -2,6 +2,7 @@
 #include "tools/edgecase/help/completions.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace edgecase {
 namespace {

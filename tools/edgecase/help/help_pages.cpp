@@ -40,7 +40,7 @@ constexpr HelpPage kPages[] = {
      "--resume runs the rest.",
      "012345", "an answer is unexpected, or a known fault has grown",
      "edgecase run\n"
-     "edgecase run lines --against osmesa:softpipe --html lines.html\n"
+     "edgecase run lines --against egl:softpipe --html lines.html\n"
      "edgecase run \"triangles/*\" --against \"exec:python3 my_rasterizer.py\" --open\n"
      "edgecase run --shard 2/4 --json 2.zst\n"
      "edgecase run --json results.zst --resume"},
@@ -55,6 +55,10 @@ constexpr HelpPage kPages[] = {
      "0123", "the two differ",
      "edgecase compare old.zst new.zst\n"
      "edgecase compare old.zst new.zst --markdown changes.md"},
+    {"generations", kRun,
+     "Of each driver in the results: its known faults against its releases, in how many cases "
+     "each shows, and which releases were the first and the last to show it.",
+     "023", nullptr, "edgecase generations bookworm.zst trixie.zst sid.zst"},
     {"merge", kRun,
      "The cases of all shards are judged anew, as one run. The results are those that a run "
      "without shards would have written.",
@@ -66,11 +70,11 @@ constexpr HelpPage kPages[] = {
      "in place of the renderer, also where the renderer cannot run.",
      "012345", kInterrupted,
      "edgecase record --against egl:device0 -o card.rec\n"
-     "edgecase record lines --against osmesa:softpipe -o lines.rec"},
+     "edgecase record lines --against egl:softpipe -o lines.rec"},
     {"render", kRun,
      "Each case gives its pixels and every fragment, or a picture. Nothing is compared or judged.",
      "012345", kInterrupted,
-     "edgecase render triangles/ties --with osmesa:llvmpipe\n"
+     "edgecase render triangles/ties --with egl:llvmpipe\n"
      "edgecase render scenes --png pictures"},
     {"explain", kUnderstand,
      "The case is drawn in characters, and sentences say which rule decides over a pixel. With "
@@ -79,14 +83,14 @@ constexpr HelpPage kPages[] = {
      "012345", kInterrupted,
      "edgecase explain lines/short/between-diamonds --pixel 3,3\n"
      "edgecase explain triangles/ties/flat-top --pixel 3,3 --svg pixel.svg\n"
-     "edgecase explain lines/short/between-diamonds --against osmesa:softpipe\n"
+     "edgecase explain lines/short/between-diamonds --against egl:softpipe\n"
      "edgecase explain triangles/single/across-blocks --blocks 4 --svg blocks.svg"},
     {"draw", kUnderstand,
      "The picture is text or SVG. It has a panel for each alternative of a rule; with --against it "
      "has exact, the difference and the renderer side by side.",
      "012345", kInterrupted,
      "edgecase draw lines/algorithms/all-differ --svg lines.svg\n"
-     "edgecase draw lines/joints/twice-on-a-corner --against osmesa:llvmpipe"},
+     "edgecase draw lines/joints/twice-on-a-corner --against egl:llvmpipe"},
     {"rules", kUnderstand,
      "A rule is printed with its section of the specification, the latitude that the section "
      "grants, its alternatives, and the numbered rulings that verdicts cite. --book writes pages "
@@ -101,7 +105,7 @@ constexpr HelpPage kPages[] = {
      "rule it follows. A summary of ten lines is printed; --full prints the evidence and the "
      "counter-examples before it.",
      "01234", "interrupted; nothing was written",
-     "edgecase profile --against osmesa:llvmpipe --scenes 2000\n"
+     "edgecase profile --against egl:llvmpipe --scenes 2000\n"
      "edgecase profile --against egl:device0 --full --policy-file device0.json"},
     {"gallery", kUnderstand,
      "Each policy has a page. It shows each choice that differs from OpenGL's, with its source and "
@@ -132,21 +136,21 @@ constexpr HelpPage kPages[] = {
      "Each disagreement is minimized and can be saved as a case. Finds are grouped by rule, kind "
      "and cause.",
      "01234", "something was found",
-     "edgecase fuzz --against osmesa:softpipe --seconds 60\n"
-     "edgecase fuzz --against osmesa:llvmpipe --rules triangle.fill-rule --count 10000 --save "
+     "edgecase fuzz --against egl:softpipe --seconds 60\n"
+     "edgecase fuzz --against egl:llvmpipe --rules triangle.fill-rule --count 10000 --save "
      "finds"},
     {"minimize", kSearch,
      "Primitives, state, pixels and digits are removed while the renderer shows the same "
      "difference. The remaining scene is printed as a case file.",
      "012345", "interrupted; the smallest scene so far is printed",
-     "edgecase minimize lines/diagonals/two-in-a-column --against osmesa:softpipe"},
+     "edgecase minimize lines/diagonals/two-in-a-column --against egl:softpipe"},
     {"bless", kMaintain,
      "Unexpected violations become known faults, with a reason, and faults that do not show any "
      "more are closed. The changes are printed, and --apply writes them. --from takes the "
      "decisions that a reviewer exported from the HTML "
      "report.",
      "0123", "a decision is refused because something has changed since it was made",
-     "edgecase bless out/results.zst --against osmesa:softpipe\n"
+     "edgecase bless out/results.zst --against egl:softpipe\n"
      "edgecase bless --from decisions.json --apply"},
     {"backends", kMaintain,
      "Each renderer is tested by what it renders, not by what it reports. Programs behind exec: "

@@ -2,6 +2,7 @@
 #include "tools/edgecase/help/manual_page.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <sstream>
 

@@ -2,6 +2,7 @@
 #include "tools/edgecase/output/block_walks.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
