@@ -130,20 +130,6 @@ std::vector<UnexpectedGroup> unexpected_groups(const Results& results) {
   return sorted;
 }
 
-std::size_t count_unexpected(const Results& results) {
-  std::size_t count = 0;
-  for (const CaseOutline& one : results.cases.outlines())
-    count += static_cast<std::size_t>(std::ranges::count_if(one.answers, is_counted));
-  return count;
-}
-
-std::size_t count_unexpected(const Results& results, std::size_t renderer) {
-  const auto stands_out = [&](const CaseOutline& one) {
-    return renderer < one.answers.size() && is_counted(one.answers[renderer]);
-  };
-  return static_cast<std::size_t>(std::ranges::count_if(results.cases.outlines(), stands_out));
-}
-
 void write_unexpected(const Results& results, const Painter& paint, std::ostream& out) {
   const std::vector<UnexpectedGroup> groups = unexpected_groups(results);
   if (groups.empty()) return;

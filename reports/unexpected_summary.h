@@ -30,10 +30,6 @@ struct UnexpectedGroup {
 // groups of most cases first, ties by cause and renderer.
 std::vector<UnexpectedGroup> unexpected_groups(const Results& results);
 
-// Answers that are not as expected, flakes included.
-std::size_t count_unexpected(const Results& results);
-std::size_t count_unexpected(const Results& results, std::size_t renderer);  // of one renderer
-
 // At most 10 groups, and how many more there are; nothing where all is expected. Text from files
 // and renderers stands on one line, its control characters visible.
 void write_unexpected(const Results& results, const Painter& paint, std::ostream& out);

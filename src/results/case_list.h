@@ -104,17 +104,16 @@ class ListIterator {
 // nothing here. Several threads may read.
 class CaseList {
  public:
-  using value_type = CaseResults;
-
   CaseList() = default;
   explicit CaseList(std::vector<ShelvedCase> cases) : cases_(std::move(cases)) {}
 
   std::size_t size() const { return cases_.size(); }
   bool empty() const { return cases_.empty(); }
   // Const, so that nobody takes it for a place to write to.
-  const CaseResults operator[](std::size_t index) const { return cases_[index].whole(); }  // NOLINT
-  auto begin() const { return ListIterator < CaseList, &CaseList::operator[]>(*this, 0); }
-  auto end() const { return ListIterator < CaseList, &CaseList::operator[]>(*this, size()); }
+  const CaseResults whole(std::size_t index) const { return cases_[index].whole(); }  // NOLINT
+  const CaseResults operator[](std::size_t index) const { return whole(index); }      // NOLINT
+  auto begin() const { return ListIterator<CaseList, &CaseList::whole>(*this, 0); }
+  auto end() const { return ListIterator<CaseList, &CaseList::whole>(*this, size()); }
 
   const CaseOutline& outline(std::size_t index) const { return cases_[index].outline; }
   ResultOutline& answer(std::size_t index, std::size_t renderer) {

@@ -24,13 +24,6 @@ void add_release(DriverGenerations& driver, const Release& release) {
   if (place == driver.releases.end() || *place != release) driver.releases.insert(place, release);
 }
 
-std::size_t count_unexpected(const Results& results, std::size_t renderer) {
-  const auto stands_out = [&](const CaseOutline& one) {
-    return one.answers[renderer].standing == Standing::unexpected;
-  };
-  return static_cast<std::size_t>(std::ranges::count_if(results.cases.outlines(), stands_out));
-}
-
 }  // namespace
 
 std::optional<std::string> add_generation(Generations& generations, const Results& results) {

@@ -90,6 +90,10 @@ inline bool is_whole(const Results& results) {
          results.diagnostics.empty();
 }
 
+// Answers that are not as expected, flakes included: of all renderers, or of the one at `renderer`.
+std::size_t count_unexpected(const Results& results);
+std::size_t count_unexpected(const Results& results, std::size_t renderer);
+
 // verdict -> number of cases, for the renderer at `index`.
 std::map<Verdict, std::size_t> count_verdicts(const Results& results, std::size_t index);
 

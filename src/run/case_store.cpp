@@ -150,7 +150,7 @@ CaseStore::CaseStore(std::vector<Case> cases) : CaseStore() {
 
 CaseStore::CaseStore(std::initializer_list<Case> cases) : CaseStore(std::vector<Case>(cases)) {}
 
-const Case CaseStore::operator[](std::size_t index) const {  // NOLINT
+const Case CaseStore::whole(std::size_t index) const {  // NOLINT
   Case one = shelves_->take(entries_[index].place);
   one.id = entries_[index].id;
   return one;

@@ -18,8 +18,6 @@ namespace edgecase {
 // and their textures with those that are read next to them. Several threads may read.
 class CaseStore {
  public:
-  using value_type = Case;
-
   CaseStore();
   CaseStore(std::vector<Case> cases);  // NOLINT: a list of cases is one
   CaseStore(std::initializer_list<Case> cases);
@@ -28,9 +26,10 @@ class CaseStore {
   bool empty() const { return entries_.empty(); }
   // Const, so that nobody takes it for a place to write to. Throws a ShelfError where what
   // was put aside cannot be read.
-  const Case operator[](std::size_t index) const;  // NOLINT
-  auto begin() const { return ListIterator < CaseStore, &CaseStore::operator[]>(*this, 0); }
-  auto end() const { return ListIterator < CaseStore, &CaseStore::operator[]>(*this, size()); }
+  const Case whole(std::size_t index) const;                               // NOLINT
+  const Case operator[](std::size_t index) const { return whole(index); }  // NOLINT
+  auto begin() const { return ListIterator<CaseStore, &CaseStore::whole>(*this, 0); }
+  auto end() const { return ListIterator<CaseStore, &CaseStore::whole>(*this, size()); }
   std::vector<Case> all() const;
 
   const std::string& id(std::size_t index) const { return entries_[index].id; }

@@ -199,8 +199,8 @@ std::string suggestion_for(const std::string& name) {
 
 const std::vector<std::string>& opengl_renderer_names() {
   static const std::vector<std::string> names = {
-      "osmesa:llvmpipe", "osmesa:softpipe",      "egl:llvmpipe", "egl:softpipe",
-      "egl:zink",        "egl:zink-swiftshader", "egl:device0"};
+      "egl:llvmpipe", "egl:softpipe",    "egl:zink",       "egl:zink-swiftshader",
+      "egl:device0",  "osmesa:llvmpipe", "osmesa:softpipe"};
   return names;
 }
 
@@ -211,9 +211,9 @@ const std::vector<std::string>& opengl_es_renderer_names() {
 }
 
 std::string known_renderer_names() {
-  return "exact, osmesa:llvmpipe, osmesa:softpipe, egl:llvmpipe, egl:softpipe, egl:zink, "
-         "egl:zink-swiftshader, egl:deviceN, egl-es:llvmpipe, egl-es:softpipe, egl-es:zink, "
-         "egl-es:deviceN, exec:PROGRAM, recording:FILE";
+  return "exact, egl:llvmpipe, egl:softpipe, egl:zink, egl:zink-swiftshader, egl:deviceN, "
+         "egl-es:llvmpipe, egl-es:softpipe, egl-es:zink, egl-es:deviceN, osmesa:llvmpipe, "
+         "osmesa:softpipe, exec:PROGRAM, recording:FILE";
 }
 
 NamedRenderer split_name(const std::string& renderer) {

@@ -89,16 +89,16 @@ std::vector<Share> shares_of(const CaseStore& cases, std::size_t renderers, std:
 // Hands out shares to threads: in their order to one thread; to several, large ones first, and few
 // at a time, which takes the least memory and lets no large one wait to the end. Safe to use from
 // several threads.
-class Counter {
+class ShareQueue {
  public:
-  explicit Counter(std::vector<Share> shares, std::size_t jobs)
+  ShareQueue(std::vector<Share> shares, std::size_t jobs)
       : shares_(std::move(shares)), most_large_(std::max<std::size_t>(1, jobs / 2)) {
     if (jobs == 1) return;
-    const auto others =
-        std::ranges::stable_partition(shares_, [](const Share& share) { return share.is_large; });
-    next_ = large_end_ = static_cast<std::size_t>(others.begin() - shares_.begin());
+    const auto others = std::stable_partition(shares_.begin(), shares_.end(),
+                                              [](const Share& share) { return share.is_large; });
+    next_ = large_end_ = static_cast<std::size_t>(others - shares_.begin());
     // All renderers draw a large case one after the other: what one made of it waits for the last.
-    std::stable_sort(shares_.begin(), others.begin(),
+    std::stable_sort(shares_.begin(), others,
                      [](const Share& a, const Share& b) { return a.cases.begin < b.cases.begin; });
   }
 
@@ -158,7 +158,7 @@ class Run {
 
   Results operator()() {
     const auto jobs = static_cast<std::size_t>(std::max(1, options_.jobs));
-    Counter shares(shares_of(suite_.cases, options_.renderers.size(), jobs), jobs);
+    ShareQueue shares(shares_of(suite_.cases, options_.renderers.size(), jobs), jobs);
     std::vector<std::thread> threads;
     for (std::size_t i = 0; i < std::min(jobs, shares.size()); ++i)
       threads.emplace_back([&] { work(shares); });
@@ -173,7 +173,7 @@ class Run {
 
   bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
-  void work(Counter& shares) {
+  void work(ShareQueue& shares) {
     Renderers own;
     try {
       while (!stopped() && !enough_) {

@@ -141,7 +141,7 @@ TEST(RendererNames, RefusalsAskWhatWasMeant) {
     return begin == std::string::npos ? "" : message.substr(begin, message.find('?') + 1 - begin);
   };
   EXPECT_EQ(question("osmesa:lvmpipe"), "did you mean osmesa:llvmpipe?");
-  EXPECT_EQ(question("llvmpipe"), "did you mean osmesa:llvmpipe?");
+  EXPECT_EQ(question("llvmpipe"), "did you mean egl:llvmpipe?");
   EXPECT_EQ(question("osmesa:zink"), "did you mean egl:zink?");
   EXPECT_EQ(question("egl-es:zink-swiftshader"), "did you mean egl:zink-swiftshader?");
   EXPECT_EQ(question("exat"), "did you mean exact?");
@@ -162,7 +162,7 @@ TEST(RendererNames, RefusalsNameWhatIsKnown) {
   for (const char* name :
        {"", "osmesa", "osmesa:zink", "egl:", "egl:device", "egl:device-1", "egl:device1x",
         "egl:device9999", "egl-es:", "egl-es:device", "osmesa:device0", "Osmesa:llvmpipe"})
-    EXPECT_THAT(message_of(name), HasSubstr("nown are exact, osmesa:llvmpipe")) << name;
+    EXPECT_THAT(message_of(name), HasSubstr("nown are exact, egl:llvmpipe")) << name;
   EXPECT_THAT(message_of("recording:x"), HasSubstr("there is no program behind it"));
   EXPECT_THAT(message_of("exec:"), HasSubstr("names no program"));
   EXPECT_THAT(message_of("exec:'a"), HasSubstr("quote that is not closed"));

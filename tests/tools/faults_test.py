@@ -242,9 +242,9 @@ class BadRenderers(CommandTest):
         self.assertIn("c: crashed: the program ended with exit status 7", run.stderr)
 
     def test_names_that_are_no_renderer(self):
-        for name, words in (("nope", "there is no renderer 'nope'; known are exact, osmesa:"),
+        for name, words in (("nope", "there is no renderer 'nope'; known are exact, egl:"),
                             ("osmesa:zink", "there is no renderer 'osmesa:zink'; did you mean egl:zink? "
-                                            "Known are exact, osmesa:"),
+                                            "Known are exact, egl:"),
                             ("exec:", "write exec:PROGRAM"),
                             ("exec:'open", "a quote that is not closed")):
             for arguments in (["run", "cases", "--against", name],

@@ -8,9 +8,9 @@ from support import INTERNAL, NOTHING_SELECTED, USAGE, CommandTest, triangle_cas
 
 HELP = "; `edgecase help {}` says what it takes"
 LISTS = "`edgecase help` lists them"
-KNOWN = ("exact, osmesa:llvmpipe, osmesa:softpipe, egl:llvmpipe, egl:softpipe, egl:zink, "
-         "egl:zink-swiftshader, egl:deviceN, egl-es:llvmpipe, egl-es:softpipe, egl-es:zink, "
-         "egl-es:deviceN, exec:PROGRAM, recording:FILE")
+KNOWN = ("exact, egl:llvmpipe, egl:softpipe, egl:zink, egl:zink-swiftshader, egl:deviceN, "
+         "egl-es:llvmpipe, egl-es:softpipe, egl-es:zink, egl-es:deviceN, osmesa:llvmpipe, "
+         "osmesa:softpipe, exec:PROGRAM, recording:FILE")
 EXACT = ("--against", "exact")
 
 # The command line, the exit code, and all that stands on standard error, "edgecase: " left out
@@ -60,7 +60,7 @@ COMMAND_LINES = (
      "to 7"),
     # Renderers, rules, policies.
     (("run", "--against", "llvmpipe"), USAGE,
-     f"there is no renderer 'llvmpipe'; did you mean osmesa:llvmpipe? Known are {KNOWN}"),
+     f"there is no renderer 'llvmpipe'; did you mean egl:llvmpipe? Known are {KNOWN}"),
     (("render", "--with", "egl:lvmpipe"), USAGE,
      f"there is no renderer 'egl:lvmpipe'; did you mean egl:llvmpipe? Known are {KNOWN}"),
     (("run", "--against", "./mine.py"), USAGE,

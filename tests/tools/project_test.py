@@ -173,7 +173,7 @@ class File(ProjectTest):
         self.assertEqual(told, 'there is no renderer "mien"; did you mean "mine"? The project has '
                                "mine, ours\n")
         told = self.command("run", "--against", "llvmpipe", expect=USAGE).stderr
-        self.assertIn("did you mean osmesa:llvmpipe?", told)
+        self.assertIn("did you mean egl:llvmpipe?", told)
 
     def test_every_key_is_an_option(self):
         listed = self.command("run", "--help").stdout

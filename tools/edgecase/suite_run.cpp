@@ -111,10 +111,8 @@ bool are_known(const std::vector<std::string>& renderers) {
 void SuiteRunOptions::add_to(CLI::App& command) {
   add_repeatable(
       command, "--against", renderers,
-      "Renderer to compare with exact, repeatable: osmesa:llvmpipe, osmesa:softpipe, "
-      "egl:llvmpipe, egl:softpipe, egl:zink, egl:zink-swiftshader, egl:deviceN, egl-es:llvmpipe, "
-      "egl-es:softpipe, egl-es:zink, egl-es:deviceN, exec:PROGRAM, recording:FILE, exact; "
-      "NAME=RENDERER gives it a name");
+      fmt::format("Renderer to compare with exact, repeatable: {}; NAME=RENDERER gives it a name",
+                  known_renderer_names()));
   add_config_option(command, config);
   command.add_option("--jobs", jobs, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 256));
