@@ -2,13 +2,14 @@
 #include "reports/report_data.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <tuple>
 
 #include "model/text.h"
+#include "model/threads.h"
 #include "reports/case_details.h"
 #include "reports/report_index.h"
 #include "results/base64.h"
@@ -42,15 +43,16 @@ std::string escape_markup(const std::string& json) {
 }
 
 // Collects lines into blocks of about `most` bytes together. Further lines are numbered as if in
-// one more block, but not made.
+// one more block, but left out.
 class Blocks {
  public:
   explicit Blocks(std::size_t most) : most_(most) {}
 
+  // Any thread may ask. Once full, it stays so.
+  bool is_full() const { return bytes_ >= most_; }
   // Returns the line's number.
-  long add(const std::function<std::string()>& make) {
-    if (bytes_ >= most_) return leave_out();
-    const std::string line = make();
+  long add(const std::string& line) {
+    if (is_full()) return leave_out();
     if (!text_.empty() && text_.size() + line.size() > kBlock) close();
     if (text_.empty()) first_lines_.push_back(lines_);
     text_ += line;
@@ -80,7 +82,7 @@ class Blocks {
   const std::size_t most_;
   std::string text_;
   long lines_ = 0;
-  std::size_t bytes_ = 0;  // of blocks
+  std::atomic<std::size_t> bytes_ = 0;  // of blocks
   bool is_left_out_ = false;
   std::vector<long> first_lines_;
   std::vector<std::string> blocks_;
@@ -111,22 +113,25 @@ ReportData report_data(const Results& results, const ReportTexts& texts, std::si
   const CaseHeads heads = heads_of(results);
   DetailLines lines;
   lines.of_case.assign(results.cases.size(), -1);
-  lines.of_head.assign(heads.first_case.size(), -1);
+  lines.of_head.assign(heads.list.size(), -1);
   Blocks blocks(most);
   // A head without a text is asked once.
-  std::vector<bool> is_asked(heads.first_case.size());
-  const auto add_source = [&](std::size_t i) {
-    const std::size_t head = heads.of_case[i];
+  std::vector<bool> is_asked(heads.list.size());
+  const auto add_source = [&](std::size_t head) {
     if (is_asked[head]) return;
     is_asked[head] = true;
-    const std::string text = texts.source_of ? texts.source_of(results.cases[i]) : "";
-    if (!text.empty()) lines.of_head[head] = blocks.add([&] { return dump(text); });
+    const std::string text = texts.source_of ? texts.source_of(heads.list[head]) : "";
+    if (!text.empty()) lines.of_head[head] = blocks.add(dump(text));
   };
-  for (const std::size_t i : worth_a_look(results)) {
-    add_source(i);
-    lines.of_case[i] = blocks.add([&] { return dump(case_details(results.cases[i])); });
-  }
-  for (std::size_t i = 0; i < results.cases.size(); ++i) add_source(i);
+  const std::vector<std::size_t> order = worth_a_look(results);
+  const auto details_of = [&](std::size_t i) {
+    return blocks.is_full() ? std::string() : dump(case_details(results.cases[order[i]]));
+  };
+  make_in_order(order.size(), details_of, [&](std::size_t i, const std::string& details) {
+    add_source(heads.of_case[order[i]]);
+    lines.of_case[order[i]] = blocks.add(details);
+  });
+  for (std::size_t head = 0; head < heads.list.size(); ++head) add_source(head);
 
   ReportData data;
   data.blocks = blocks.take();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "reports/report_index.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <compare>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -9,6 +12,7 @@
 #include <tuple>
 #include <utility>
 
+#include "model/threads.h"
 #include "reports/text.h"
 #include "results/clusters.h"
 #include "results/worst_first.h"
@@ -89,28 +93,40 @@ Json head_json(const CaseResults& one, Names& rules, long line) {
   return json;
 }
 
-Json outcome_json(const Result& result, const Findings& findings, Names& rules) {
+// What the answer of a renderer comes to in the list.
+struct Outcome {
+  Verdict verdict = Verdict::agree;
+  Standing standing = Standing::expected;
+  Findings findings;
+  friend auto operator<=>(const Outcome&, const Outcome&) = default;
+};
+
+Json outcome_json(const Outcome& outcome, Names& rules) {
   Json found = Json::array();
-  for (const auto& [rule, verdict] : findings) {
+  for (const auto& [rule, verdict] : outcome.findings) {
     found.push_back(rules.number(rule));
     found.push_back(name_of(verdict));
   }
-  return Json::array({name_of(result.verdict), name_of(result.standing), std::move(found)});
+  return Json::array({name_of(outcome.verdict), name_of(outcome.standing), std::move(found)});
 }
 
 // The distinct outcomes of cases.
 class Outcomes {
  public:
-  std::size_t number(Json outcome) {
-    const auto [found, is_new] = numbers_.try_emplace(outcome.dump(), list_.size());
-    if (is_new) list_.push_back(std::move(outcome));
+  std::size_t number(const Outcome& outcome) {
+    const auto [found, is_new] = numbers_.try_emplace(outcome, list_.size());
+    if (is_new) list_.push_back(&found->first);
     return found->second;
   }
-  const Json& list() const { return list_; }
+  Json json(Names& rules) const {
+    Json list = Json::array();
+    for (const Outcome* outcome : list_) list.push_back(outcome_json(*outcome, rules));
+    return list;
+  }
 
  private:
-  std::map<std::string, std::size_t> numbers_;
-  Json list_ = Json::array();
+  std::map<Outcome, std::size_t> numbers_;
+  std::vector<const Outcome*> list_;  // keys of the map
 };
 
 // Indices of the cases in which something differs, the worst first.
@@ -188,24 +204,28 @@ Json RendererSums::scenes() const {
           {"same", scenes_.same}};
 }
 
+// A case, and what its answers come to.
+struct ReadCase {
+  CaseResults one;
+  std::vector<Outcome> outcomes;
+};
+
 // Adds the cases, and sums up what the renderers answered to them.
 void add_cases(Json& json, const Results& results, const ReportTexts& texts, const CaseHeads& heads,
                const DetailLines& lines, std::vector<RendererSums>& sums) {
   Names rules;
-  Outcomes outcomes;
   Json head_list = Json::array();
-  for (std::size_t h = 0; h < heads.first_case.size(); ++h)
-    head_list.push_back(head_json(results.cases[heads.first_case[h]], rules, lines.of_head[h]));
-  const FindingsOf findings_of(results.latitude, texts);
+  for (std::size_t h = 0; h < heads.list.size(); ++h)
+    head_list.push_back(head_json(heads.list[h], rules, lines.of_head[h]));
+  Outcomes outcomes;
   Json cases = Json::array();
   Json untrue = Json::array();
-  for (std::size_t i = 0; i < results.cases.size(); ++i) {
-    const CaseResults one = results.cases[i];
+  const auto add = [&](std::size_t i, const ReadCase& read) {
+    const CaseResults& one = read.one;
     Json numbers = Json::array();
     for (std::size_t r = 0; r < one.results.size(); ++r) {
-      const Result& result = one.results[r];
-      numbers.push_back(outcomes.number(outcome_json(result, findings_of(result), rules)));
-      if (r < sums.size()) sums[r].add(one, result);
+      numbers.push_back(outcomes.number(read.outcomes[r]));
+      if (r < sums.size()) sums[r].add(one, one.results[r]);
     }
     Json row = {heads.of_case[i], one.id.substr(stem_of(one.id).size()), one.fragments,
                 std::move(numbers)};
@@ -213,10 +233,19 @@ void add_cases(Json& json, const Results& results, const ReportTexts& texts, con
     if (results.cases.outline(i).has_ramp) row.push_back(1);
     cases.push_back(std::move(row));
     if (!one.expect_failures.empty()) untrue.push_back({i, one.expect_failures});
-  }
+  };
+  const FindingsOf findings_of(results.latitude, texts);
+  const auto read_case = [&](std::size_t i) {
+    ReadCase read{results.cases[i], {}};
+    for (const Result& result : read.one.results)
+      read.outcomes.push_back({result.verdict, result.standing, findings_of(result)});
+    return read;
+  };
+  make_in_order(results.cases.size(), read_case, add);
+  Json outcome_list = outcomes.json(rules);
   json["names"] = rules.list();
   json["heads"] = std::move(head_list);
-  json["outcomes"] = outcomes.list();
+  json["outcomes"] = std::move(outcome_list);
   json["cases"] = std::move(cases);
   json["order"] = order_of(results);
   json["untrue"] = std::move(untrue);
@@ -309,30 +338,39 @@ void add_problems(Json& json, const Results& results) {
                               {"told", describe(seen)}});
 }
 
+struct Head {
+  std::string key;  // that only cases which share all have
+  CaseResults one;
+};
+
+Head head_of(CaseResults one) {
+  Head head;
+  const auto add = [&](std::string_view text) { head.key.append(text).push_back('\0'); };
+  add(stem_of(one.id));
+  for (const std::string& text : {one.title, one.why, one.file, one.surface, one.spec, one.origin})
+    add(text);
+  add(fmt::format("{} {} {}", one.width, one.height, one.rules.size()));
+  for (const std::string& rule : one.rules) add(rule);
+  for (const std::string& tag : one.tags) add(tag);
+  one.pixels = {};
+  one.samples = {};
+  one.figure = {};
+  one.results.clear();
+  head.one = std::move(one);
+  return head;
+}
+
 }  // namespace
 
 CaseHeads heads_of(const Results& results) {
   CaseHeads heads;
-  // By what their cases share.
-  std::map<std::vector<std::string>, std::size_t> numbers;
-  for (std::size_t i = 0; i < results.cases.size(); ++i) {
-    const CaseResults one = results.cases[i];
-    std::vector<std::string> shared = {std::string(stem_of(one.id)),
-                                       one.title,
-                                       one.why,
-                                       one.file,
-                                       one.surface,
-                                       std::to_string(one.width),
-                                       std::to_string(one.height),
-                                       one.spec,
-                                       one.origin};
-    shared.insert(shared.end(), one.rules.begin(), one.rules.end());
-    shared.emplace_back();
-    shared.insert(shared.end(), one.tags.begin(), one.tags.end());
-    const auto [found, is_new] = numbers.try_emplace(std::move(shared), heads.first_case.size());
-    if (is_new) heads.first_case.push_back(i);
+  std::map<std::string, std::size_t> numbers;  // by what cases share
+  const auto make = [&](std::size_t i) { return head_of(results.cases[i]); };
+  make_in_order(results.cases.size(), make, [&](std::size_t, Head head) {
+    const auto [found, is_new] = numbers.try_emplace(std::move(head.key), heads.list.size());
+    if (is_new) heads.list.push_back(std::move(head.one));
     heads.of_case.push_back(found->second);
-  }
+  });
   return heads;
 }
 

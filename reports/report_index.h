@@ -29,10 +29,10 @@ struct DetailLines {
   std::vector<long> of_head;
 };
 
-// The head of each case, and the first case of each head, as indices.
+// The heads, and the index of each case's.
 struct CaseHeads {
   std::vector<std::size_t> of_case;
-  std::vector<std::size_t> first_case;
+  std::vector<CaseResults> list;  // the first case of each, without what was drawn and found
 };
 
 CaseHeads heads_of(const Results& results);

@@ -65,7 +65,7 @@ class Finder {
   }
 
   FoundCases found_;
-  std::set<fs::path> seen_;
+  std::set<std::string> seen_;
 };
 
 void Finder::add_folder(const fs::path& folder, const fs::path& root) {
@@ -87,7 +87,7 @@ void Finder::add_folder(const fs::path& folder, const fs::path& root) {
 
 void Finder::add_file(const fs::path& file, const fs::path& root) {
   const fs::path absolute = normal(file);
-  if (!seen_.insert(absolute).second) return;
+  if (!seen_.insert(absolute.string()).second) return;
   const std::string id = absolute.lexically_relative(root).replace_extension().generic_string();
   if (find_invalid_utf8(id)) {
     diagnose(clean_line(file.generic_string()), "the file's name is not UTF-8", "rename the file");
@@ -98,7 +98,7 @@ void Finder::add_file(const fs::path& file, const fs::path& root) {
              "rename the file");
     return;
   }
-  found_.cases.push_back({file, id});
+  found_.cases.push_back({file.string(), id});
 }
 
 FoundCases Finder::take() {
@@ -109,10 +109,10 @@ FoundCases Finder::take() {
   for (auto at = std::adjacent_find(cases.begin(), cases.end(), twin); at != cases.end();
        at = std::adjacent_find(at, cases.end(), twin)) {
     const auto other = std::next(at);
-    diagnose(
-        other->file,
-        fmt::format("its id {} is also that of {}", quote(other->id), at->file.generic_string()),
-        "give a folder that holds both, or run them one after the other");
+    diagnose(other->file,
+             fmt::format("its id {} is also that of {}", quote(other->id),
+                         fs::path(at->file).generic_string()),
+             "give a folder that holds both, or run them one after the other");
     cases.erase(other);
   }
   return std::move(found_);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <exception>
-#include <mutex>
-#include <thread>
 #include <utility>
 
+#include "model/threads.h"
 #include "profile/clipping/clipping.h"
 #include "profile/counter_examples.h"
 #include "profile/coverage/coverage.h"
@@ -83,26 +81,16 @@ void run_all(const Measurements& measurements, const MakeRenderer& make_renderer
   for (const auto& measurement : measurements) total += measurement->total();
   std::atomic<std::size_t> done = 0;
   std::atomic<std::size_t> next = 0;
-  std::mutex mutex;
-  std::exception_ptr error;
-  const auto work = [&] {
+  const auto work = [&](std::size_t) {
     for (std::size_t i = next++; i < measurements.size(); i = next++) {
-      try {
-        const auto renderer = make_renderer();
-        measurements[i]->run(*renderer, [&](std::size_t more) {
-          const std::size_t now = done += more;
-          if (options.progress) options.progress(now, total);
-        });
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        error = std::current_exception();
-      }
+      const auto renderer = make_renderer();
+      measurements[i]->run(*renderer, [&](std::size_t more) {
+        const std::size_t now = done += more;
+        if (options.progress) options.progress(now, total);
+      });
     }
   };
-  std::vector<std::thread> threads;
-  for (int i = 0; i < options.jobs; ++i) threads.emplace_back(work);
-  for (std::thread& thread : threads) thread.join();
-  if (error) std::rethrow_exception(error);
+  run_threads(static_cast<std::size_t>(std::max(options.jobs, 0)), work);
 }
 
 // The findings of the first surface apply to all; others list their deviations.

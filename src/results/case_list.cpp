@@ -82,11 +82,39 @@ void carry(Io& io, T& place) {
   carry_all(io, place.x, place.y, place.primitive);
 }
 
+// Places of whole scenes are many, and most of them neighbours in a row: each run of these is one
+// place and its length.
+void carry_places(wire::Writer& io, const std::vector<ValueAggregate::Place>& places) {
+  io.size(places.size());
+  for (std::size_t at = 0; at < places.size();) {
+    const ValueAggregate::Place& first = places[at];
+    std::int32_t length = 1;
+    for (++at; at < places.size(); ++at, ++length) {
+      const ValueAggregate::Place& next = places[at];
+      if (next.x != first.x + length || next.y != first.y || next.primitive != first.primitive)
+        break;
+    }
+    carry_all(io, first, length);
+  }
+}
+void carry_places(wire::Reader& io, std::vector<ValueAggregate::Place>& places) {
+  std::uint64_t count = 0;
+  carry(io, count);
+  places.reserve(static_cast<std::size_t>(count));
+  while (places.size() < count) {
+    ValueAggregate::Place place;
+    std::int32_t length = 0;
+    carry_all(io, place, length);
+    for (; length > 0; --length, ++place.x) places.push_back(place);
+  }
+}
+
 template <class Io, Of<ValueAggregate> T>
 void carry(Io& io, T& v) {
-  carry_all(io, v.attribute, v.rule, v.ruling, v.cause, v.compared, v.components, v.differing,
-            v.worst, v.worst_component, v.worst_exact, v.worst_rendered, v.worst_ulp, v.mean_ulp,
-            v.worst_relative, v.ulp_histogram);
+  carry_all(io, v.attribute, v.rule, v.ruling, v.cause, v.compared, v.components);
+  carry_places(io, v.differing);
+  carry_all(io, v.worst, v.worst_component, v.worst_exact, v.worst_rendered, v.worst_ulp,
+            v.mean_ulp, v.worst_relative, v.ulp_histogram);
 }
 
 template <class Io, Of<Result::Evidence> T>

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <deque>
-#include <future>
 #include <istream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
+#include "model/threads.h"
 #include "results/case_results_reader.h"
 #include "results/packed_stream.h"
 #include "results/results_json.h"
@@ -217,19 +214,16 @@ class Reading {
 
   void start_batch() {
     if (batch_.lines.empty()) return;
-    const std::size_t most_ahead =
-        2 * std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
-    while (started_.size() >= most_ahead) take_first();
+    if (started_.is_full()) take_first();
     batch_.heads = std::make_shared<const HeadsRead>(heads_);
-    started_.push_back(std::async(std::launch::async, [this, batch = std::exchange(batch_, {})] {
+    started_.start([this, batch = std::exchange(batch_, {})] {
       return parsed(batch, results_.renderers, shelf_);
-    }));
+    });
     heads_.keep_last_file();
   }
 
   void take_first() {
-    Parsed first = started_.front().get();
-    started_.pop_front();
+    Parsed first = started_.take();
     for (ShelvedCase& one : first.cases) results_.cases.push_back(std::move(one));
     if (first.fault.empty()) return;
     where_ = "";
@@ -272,7 +266,7 @@ class Reading {
   const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
   Batch batch_;
   Results results_;
-  std::deque<std::future<Parsed>> started_;
+  Ahead<Parsed> started_;
 };
 
 }  // namespace

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <deque>
 #include <functional>
-#include <future>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <string_view>
-#include <thread>
 #include <utility>
 
+#include "model/threads.h"
 #include "results/case_results_writer.h"
 #include "results/clusters.h"
 #include "results/packed_stream.h"
@@ -173,18 +171,12 @@ using Take = std::function<void(std::string_view)>;
 
 // Text is made on all processors, a few parts ahead of what is taken.
 void write_cases(const Results& results, const Take& take) {
-  const std::size_t most_ahead = 2 * std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
-  std::deque<std::future<std::string>> parts;
-  const auto take_first = [&] {
-    take(parts.front().get());
-    parts.pop_front();
-  };
+  Ahead<std::string> parts;
   for (Divider divider(results.cases); !divider.is_at_end();) {
-    if (parts.size() >= most_ahead) take_first();
-    parts.push_back(
-        std::async(std::launch::async, text_of, divider.next(), std::cref(results.renderers)));
+    if (parts.is_full()) take(parts.take());
+    parts.start(std::bind_front(text_of, divider.next(), std::cref(results.renderers)));
   }
-  while (!parts.empty()) take_first();
+  while (!parts.empty()) take(parts.take());
 }
 
 Json header_json(const Results& results) {

@@ -16,7 +16,7 @@
 namespace edgecase {
 namespace {
 
-constexpr int kLevel = 1;                                // packing is to cost nearly nothing
+constexpr int kLevel = -3;                               // packing is to cost nearly nothing
 constexpr std::size_t kInMemory = std::size_t{1} << 20;  // bytes that are not written yet
 
 // Where TMPDIR names none that is there, std::filesystem names none either.

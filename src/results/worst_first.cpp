@@ -2,17 +2,27 @@
 #include "results/worst_first.h"
 
 #include <algorithm>
+#include <compare>
 #include <map>
 #include <string>
 #include <tuple>
 
+#include "model/threads.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
 
-// What an answer begins with: renderer, verdict, cause, rule, kind, situation.
-using Beginning = std::tuple<std::size_t, Verdict, std::string, std::string, int, std::string>;
+// What an answer begins with: with a cause, or without one.
+struct Beginning {
+  std::size_t renderer = 0;
+  Verdict verdict = Verdict::agree;
+  std::string cause;
+  std::string rule;
+  int kind = 0;
+  std::string situation;
+  friend auto operator<=>(const Beginning&, const Beginning&) = default;
+};
 
 Beginning beginning_of(const Result& result, std::size_t renderer) {
   // The first of the worst.
@@ -56,17 +66,22 @@ std::vector<AnswerPlace> worst_first(const Results& results, const WantedAnswer&
   };
   std::map<Beginning, std::size_t> counts;
   std::vector<Sorted> sorted;
-  for (std::size_t i = 0; i < results.cases.size(); ++i) {
-    const std::vector<ResultOutline>& answers = results.cases.outline(i).answers;
-    if (std::ranges::none_of(answers, is_wanted)) continue;
+  const auto beginnings_of = [&](std::size_t i) {
+    std::vector<Beginning> beginnings;
+    if (std::ranges::none_of(results.cases.outline(i).answers, is_wanted)) return beginnings;
     const CaseResults one = results.cases[i];
-    for (std::size_t r = 0; r < answers.size() && r < results.renderers.size(); ++r) {
-      if (!is_wanted(answers[r])) continue;
-      std::size_t& count = counts[beginning_of(one.results[r], r)];
+    for (std::size_t r = 0; r < one.results.size() && r < results.renderers.size(); ++r)
+      if (is_wanted(one.results[r])) beginnings.push_back(beginning_of(one.results[r], r));
+    return beginnings;
+  };
+  const auto add = [&](std::size_t i, const std::vector<Beginning>& beginnings) {
+    for (const Beginning& beginning : beginnings) {
+      std::size_t& count = counts[beginning];
       ++count;
-      sorted.push_back({{i, r}, rank_of(answers[r].verdict), &count});
+      sorted.push_back({{i, beginning.renderer}, rank_of(beginning.verdict), &count});
     }
-  }
+  };
+  make_in_order(results.cases.size(), beginnings_of, add);
   std::ranges::stable_sort(sorted, [](const Sorted& a, const Sorted& b) {
     return std::tuple(a.rank, *b.alike) < std::tuple(b.rank, *a.alike);
   });

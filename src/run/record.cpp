@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <mutex>
-#include <thread>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "model/renderer.h"
+#include "model/threads.h"
 #include "recording/recording.h"
 #include "run/case_slices.h"
 #include "run/recording_renderer.h"
@@ -34,10 +34,7 @@ class Recorder {
 
   Recorded operator()() {
     const auto jobs = static_cast<std::size_t>(std::max(1, options_.jobs));
-    std::vector<std::thread> threads;
-    for (std::size_t i = 0; i < std::min(jobs, slices_.size()); ++i)
-      threads.emplace_back([this] { work(); });
-    for (std::thread& thread : threads) thread.join();
+    run_threads(std::min(jobs, slices_.size()), [this](std::size_t) { work(); });
     return collect();
   }
 

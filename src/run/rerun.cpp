@@ -6,12 +6,12 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <thread>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "diff/judge.h"
+#include "model/threads.h"
 #include "run/comparing.h"
 #include "run/judging.h"
 
@@ -54,11 +54,9 @@ class Rerun {
     gather();
     // How the run reads what each renderer drew on each surface.
     if (!questions_.empty()) readings_ = read_all(results_.cases);
-    std::vector<std::thread> threads;
     const std::size_t slices = (questions_.size() + kSlice - 1) / kSlice;
-    for (std::size_t i = 0; i < std::min(slices, static_cast<std::size_t>(options_.jobs)); ++i)
-      threads.emplace_back([this] { work(); });
-    for (std::thread& thread : threads) thread.join();
+    run_threads(std::min(slices, static_cast<std::size_t>(options_.jobs)),
+                [this](std::size_t) { work(); });
     counts_.stopped = stopped();
     return counts_;
   }

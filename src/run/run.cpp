@@ -6,19 +6,19 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <exception>
+#include <deque>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <numeric>
 #include <optional>
 #include <set>
-#include <thread>
 #include <tuple>
 #include <utility>
 #include <variant>
 
 #include "model/text.h"
+#include "model/threads.h"
 #include "results/standing.h"
 #include "run/case_slices.h"
 #include "run/comparing.h"
@@ -159,11 +159,7 @@ class Run {
   Results operator()() {
     const auto jobs = static_cast<std::size_t>(std::max(1, options_.jobs));
     ShareQueue shares(shares_of(suite_.cases, options_.renderers.size(), jobs), jobs);
-    std::vector<std::thread> threads;
-    for (std::size_t i = 0; i < std::min(jobs, shares.size()); ++i)
-      threads.emplace_back([&] { work(shares); });
-    for (std::thread& thread : threads) thread.join();
-    if (fault_) std::rethrow_exception(fault_);
+    run_threads(std::min(jobs, shares.size()), [&](std::size_t) { work(shares); });
     if (enough_) finish_begun_cases();
     return collect();
   }
@@ -187,9 +183,8 @@ class Run {
     } catch (const Stopped&) {
     } catch (...) {
       // The shelf has no room, for instance.
-      const std::lock_guard lock(mutex_);
-      fault_ = std::current_exception();
       shares.close();
+      throw;
     }
   }
 
@@ -325,8 +320,9 @@ class Run {
 
   CaseList take_complete_cases() {
     std::vector<ShelvedCase> complete;
-    for (auto& one : std::exchange(shelved_, {}))
-      if (one) complete.push_back(std::move(*one));
+    complete.reserve(shelved_.size());
+    for (; !shelved_.empty(); shelved_.pop_front())
+      if (shelved_.front()) complete.push_back(std::move(*shelved_.front()));
     return CaseList(std::move(complete));
   }
 
@@ -352,12 +348,11 @@ class Run {
   // By case, then renderer, of cases that not all have answered.
   std::vector<std::vector<std::unique_ptr<Result>>> results_;
   std::vector<std::atomic<std::size_t>> unanswered_;  // by case: renderers
-  std::vector<std::optional<ShelvedCase>> shelved_;   // cases that all have answered
+  std::deque<std::optional<ShelvedCase>> shelved_;    // cases that all have answered
   const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
   std::atomic<std::size_t> done_ = 0;
   std::atomic<bool> enough_ = false;  // cases are unexpected
   bool is_finishing_ = false;         // what was begun before that
-  std::exception_ptr fault_;          // that ends the run
   std::set<std::size_t> unexpected_;  // cases, where their number matters
   std::mutex mutex_;
 };

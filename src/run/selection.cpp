@@ -40,7 +40,7 @@ bool may_match(const std::string& glob, const std::string& start) {
 
 // Is one of the file's cases named, or the file itself?
 bool may_be_named(const Selection& selection, const CaseFile& file) {
-  if (!selection.only || selection.only->files.contains(file.file.generic_string())) return true;
+  if (!selection.only || selection.only->files.contains(file.file)) return true;
   const std::set<std::string>& ids = selection.only->ids;
   const auto swept = ids.lower_bound(file.id + ":");
   return ids.contains(file.id) || (swept != ids.end() && swept->starts_with(file.id + ":"));
@@ -78,7 +78,7 @@ class PartsKeeper {
     std::set<std::string> kept;
     for (const PartPattern& pattern : patterns) {
       Word& word = words_[pattern.word];
-      word.file = file.file.generic_string();
+      word.file = file.file;
       word.cases += cases.size();
       const std::string whole = file.id + ":" + pattern.parts;
       const bool is_id =

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <deque>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include "diff/compare.h"
+#include "model/threads.h"
 #include "search/ledger.h"
 #include "search/screen.h"
 #include "search/trial.h"
@@ -102,8 +102,6 @@ class Search {
   bool in_parallel(std::size_t count, const Work& work, const IsOver& over) {
     std::atomic<std::size_t> next{0};
     std::atomic<bool> left_out{false};
-    std::exception_ptr error;
-    std::mutex mutex;
     const auto take = [&](std::size_t worker) {
       try {
         for (;;) {
@@ -117,17 +115,9 @@ class Search {
         }
       } catch (const SearchStopped&) {
         left_out = true;
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        error = std::current_exception();
       }
     };
-    std::vector<std::thread> threads;
-    for (std::size_t w = 1; w < std::min(workers_.size(), count); ++w)
-      threads.emplace_back(take, w);
-    take(0);
-    for (std::thread& thread : threads) thread.join();
-    if (error) std::rethrow_exception(error);
+    run_threads(std::min(workers_.size(), count), take);
     return !left_out;
   }
 

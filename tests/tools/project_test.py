@@ -158,6 +158,24 @@ class File(ProjectTest):
         self.assertFalse((self.folder / "out/told.json").exists())
         self.assertTrue((self.folder / "out/told.md").exists())
 
+    def test_every_command_that_draws_knows_its_renderers(self):
+        """From any folder, and without its outputs, which are those of `run`."""
+        case = "../raster/cases/shared.json"
+        self.write("none.toml", 'policy = "opengl"')
+        self.in_folder("deep", "record", "--against", "mine", "-o", "mine.rec")
+        replayed = self.results("raster/cases", "--against", "recording:deep/mine.rec",
+                                "--config", "none.toml", expect=None)
+        self.assertEqual(verdicts(replayed), {"plain": "agree", "shared": "violation"})
+        drawn = self.in_folder("deep", "render", "--with", "mine").stdout.splitlines()
+        self.assertEqual(len(drawn), 2)
+        smallest = self.in_folder("deep", "minimize", case, "--against", "mine").stdout
+        self.assertIn('"triangles"', smallest)
+        self.assertIn("mine\n", self.in_folder("deep", "draw", case, "--against", "mine").stdout)
+        found = self.in_folder("deep", "fuzz", "--count", "3", "--rules", "shared-edges",
+                               expect=None).stdout
+        self.assertRegex(found, r"(?m)^ours: 3 drawn, 0 not drawn")
+        self.assertFalse((self.folder / "out").exists())
+
     def test_another_file_is_named_by_an_option_or_a_variable(self):
         self.write("elsewhere/settings.toml", 'cases = "../raster/cases/plain.json"\n'
                                               '[renderers]\nours = "exact"\n')

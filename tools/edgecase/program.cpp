@@ -24,7 +24,7 @@ namespace edgecase {
 
 bool begin_program() {
   // Memory that large scenes take is given back to the system once it is freed.
-  mallopt(M_MMAP_THRESHOLD, 1 << 18);
+  mallopt(M_MMAP_THRESHOLD, 1 << 22);
   // Exceeding a limit on the size of files is reported as an error and does not kill the program.
   std::signal(SIGXFSZ, SIG_IGN);
   const char* const name = std::getenv("EDGECASE_KERNELS");

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -179,10 +180,12 @@ fs::path nearest_file() {
 
 }  // namespace
 
-void Project::give(CLI::App& command) const {
+void Project::give(CLI::App& command, const std::vector<std::string>& wanted) const {
   for (const auto& [name, values] : options) {
+    const bool is_wanted =
+        wanted == kEveryOption || std::ranges::find(wanted, name) != wanted.end();
     CLI::Option* const option = command.get_option_no_throw(name);
-    if (option == nullptr || option->count() > 0 || values.empty()) continue;
+    if (!is_wanted || option == nullptr || option->count() > 0 || values.empty()) continue;
     for (const std::string& value : values) option->add_result(value);
     option->run_callback();
   }
@@ -197,12 +200,36 @@ void Project::refuse_misspelt(const std::string& renderer) const {
                                    quote(renderer), quote(nearest), fmt::join(names, ", ")));
 }
 
-void add_config_option(CLI::App& command, std::string& config) {
+void ProjectOption::add_to(CLI::App& command) {
   command
       .add_option("--config", config,
                   "Settings of a project: cases, renderers, policy, known faults, outputs "
                   "(default: the nearest edgecase.toml, from here upward)")
       ->envname("EDGECASE_CONFIG");
+}
+
+void ProjectOption::take(CLI::App& command, std::vector<std::string>& named,
+                         const std::vector<std::string>& wanted) {
+  const auto project = find_project(config);
+  if (!project) return;
+  project->give(command, wanted);
+  for (const auto& [name, address] : project->renderers)
+    renderers.push_back(fmt::format("{}={}", name, address));
+  for (std::string& renderer : named) {
+    const auto own = project->renderers.find(renderer);
+    if (own == project->renderers.end())
+      project->refuse_misspelt(renderer);
+    else
+      renderer = fmt::format("{}={}", own->first, own->second);
+  }
+  for (const auto& [name, address] : project->renderers) folders[name] = project->folder.string();
+}
+
+void ProjectOption::take(CLI::App& command, std::string& named,
+                         const std::vector<std::string>& wanted) {
+  std::vector<std::string> all = {named};
+  take(command, all, wanted);
+  named = all.front();
 }
 
 std::optional<Project> find_project(const std::string& config) {

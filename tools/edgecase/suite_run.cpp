@@ -17,7 +17,6 @@
 #include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/output/progress_line.h"
-#include "tools/edgecase/project.h"
 
 namespace edgecase {
 namespace {
@@ -46,7 +45,7 @@ RunOptions run_options(const Policy& policy, const std::map<std::string, Policy>
   run.renderers = options.renderers;
   run.renderer_options = {policy,
                           std::chrono::milliseconds(static_cast<int>(options.timeout * 1000)),
-                          worker_directory(), &interrupted(), options.folders};
+                          worker_directory(), &interrupted(), options.project.folders};
   run.jobs =
       options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
   run.stop = &interrupted();
@@ -113,7 +112,7 @@ void SuiteRunOptions::add_to(CLI::App& command) {
       command, "--against", renderers,
       fmt::format("Renderer to compare with exact, repeatable: {}; NAME=RENDERER gives it a name",
                   known_renderer_names()));
-  add_config_option(command, config);
+  project.add_to(command);
   command.add_option("--jobs", jobs, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 256));
   command
@@ -126,21 +125,8 @@ void SuiteRunOptions::add_to(CLI::App& command) {
 }
 
 void SuiteRunOptions::take_project(CLI::App& command, bool asks_all) {
-  const auto project = find_project(config);
-  if (!project) return;
-  project->give(command);
-  // Of the project's renderers those that are named, or all.
-  if (renderers.empty() && asks_all)
-    for (const auto& [name, address] : project->renderers) renderers.push_back(name);
-  for (std::string& renderer : renderers) {
-    const auto own = project->renderers.find(renderer);
-    if (own == project->renderers.end()) {
-      project->refuse_misspelt(renderer);
-      continue;
-    }
-    folders[own->first] = project->folder.string();
-    renderer = fmt::format("{}={}", own->first, own->second);
-  }
+  project.take(command, renderers, kEveryOption);
+  if (renderers.empty() && asks_all) renderers = project.renderers;
 }
 
 std::vector<std::string> SuiteRunOptions::named() const {

@@ -4,7 +4,6 @@
 // standard error and Ctrl-C that keeps what was finished.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "run/selection.h"
 #include "tools/edgecase/exit_code.h"
 #include "tools/edgecase/options.h"
+#include "tools/edgecase/project.h"
 
 namespace edgecase {
 
@@ -24,8 +24,7 @@ struct SuiteRunOptions {
   int jobs = 0;                        // 0: one per processor
   double timeout = 10;                 // seconds per case
   std::string progress = "auto";
-  std::string config;                          // the project's file; empty: the nearest
-  std::map<std::string, std::string> folders;  // as RendererOptions has them
+  ProjectOption project;
 
   void add_to(CLI::App& command);
   // Gives the command, once it is parsed, what the project's file says and its own options do not

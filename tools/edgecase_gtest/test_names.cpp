@@ -54,7 +54,7 @@ bool narrow_to_filter(const std::string& filter, std::span<const std::string> pr
     for (const std::string& prefix : prefixes) {
       const TestName name = test_name_of(prefix, file.id);
       if (files.contains(without_values(name.suite + "." + name.test)))
-        selection.only->files.insert(file.file.generic_string());
+        selection.only->files.insert(file.file);
     }
   return true;
 }

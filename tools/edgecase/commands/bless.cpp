@@ -39,7 +39,7 @@ struct BlessCommand {
   std::string reason;
   std::string link;
   std::string decisions;  // file
-  std::string config;     // the project's file; empty: the nearest
+  ProjectOption project;
   bool strict = false;
   bool apply = false;
 };
@@ -260,9 +260,10 @@ void add_bless_command(CLI::App& app, ExitCode& exit) {
       ->excludes("--link");
   add_strict_option(*command, options->strict);
   command->add_flag("--apply", options->apply, "Write the files");
-  add_config_option(*command, options->config);
+  options->project.add_to(*command);
   command->callback([options, command, &exit] {
-    if (const auto project = find_project(options->config)) project->give(*command);
+    if (const auto project = find_project(options->project.config))
+      project->give(*command, kEveryOption);
     exit = bless(*options);
   });
 }

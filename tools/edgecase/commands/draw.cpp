@@ -16,6 +16,7 @@
 #include "run/expectation_check.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/options.h"
+#include "tools/edgecase/project.h"
 #include "tools/edgecase/suite_run.h"
 
 namespace edgecase {
@@ -26,6 +27,7 @@ struct DrawCommand {
   std::vector<std::string> filters;
   std::string rule = "line.algorithm";
   std::string renderer;
+  ProjectOption project;
   std::string pane;
   std::string svg;
 };
@@ -87,6 +89,7 @@ DifferencePicture difference_of(const Case& one, const Policy& policy, const Res
 ExitCode draw_difference(const DrawCommand& command, const Selection& selection, const Case& one) {
   SuiteRunOptions run;
   run.renderers = {command.renderer};
+  run.project = command.project;
   run.progress = "never";
   const auto profiles = load_profiles(selection, run.renderers);
   if (!profiles) return ExitCode::usage;
@@ -152,7 +155,11 @@ void add_draw_command(CLI::App& app, ExitCode& exit) {
   command->add_option("--pane", options->pane, "One pane of that picture alone, without words")
       ->check(CLI::IsMember({"exact", "difference", "renderer"}))
       ->needs(against, svg);
-  command->callback([options, &exit] { exit = draw(*options); });
+  options->project.add_to(*command);
+  command->callback([options, command, &exit] {
+    options->project.take(*command, options->renderer, {});
+    exit = draw(*options);
+  });
 }
 
 }  // namespace edgecase

@@ -22,6 +22,7 @@
 #include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/output/progress_line.h"
+#include "tools/edgecase/project.h"
 #include "tools/edgecase/suite_run.h"
 
 namespace edgecase {
@@ -29,6 +30,7 @@ namespace {
 
 struct FuzzCommand {
   std::vector<std::string> renderers;
+  ProjectOption project;
   std::vector<std::string> rules;
   std::vector<std::string> surfaces;
   std::vector<std::string> corpus;
@@ -66,11 +68,11 @@ std::optional<std::vector<FuzzRenderer>> renderers_of(const FuzzCommand& command
     if (!policy) return std::nullopt;
     const RendererOptions options{
         *policy, std::chrono::milliseconds(static_cast<int>(command.timeout * 1000)),
-        worker_directory(), &interrupted()};
+        worker_directory(), &interrupted(), command.project.folders};
     FuzzRenderer renderer;
-    renderer.name = name;
+    renderer.name = split_name(name).name;
     renderer.policy = *policy;
-    if (const auto profile = profiles->find(name); profile != profiles->end())
+    if (const auto profile = profiles->find(renderer.name); profile != profiles->end())
       renderer.profile = profile->second;
     renderer.make = [name, options] {
       return std::get<std::unique_ptr<Renderer>>(make_renderer(name, options));
@@ -268,7 +270,8 @@ ExitCode run_fuzz(FuzzCommand command) {
   progress.clear();
 
   ExitCode exit = fuzz_exit_code(report);
-  FuzzWords words{kToolName, command.policy.policy, command.seed, command.renderers, {}};
+  FuzzWords words{kToolName, command.policy.policy, command.seed, {}, {}};
+  for (const FuzzRenderer& renderer : *renderers) words.renderers.push_back(renderer.name);
   if (!command.save.empty()) words.files = save(command, report, exit);
   if (command.json != "-") print_summary(report, words, seconds.count());
   if (command.json == "-")
@@ -328,7 +331,12 @@ void add_fuzz_command(CLI::App& app, ExitCode& exit) {
       ->check(CLI::Range(1, 256));
   command->add_option("--progress", options->progress, "Progress on standard error")
       ->check(CLI::IsMember({"auto", "never"}));
-  command->callback([options, &exit] { exit = run_fuzz(*options); });
+  options->project.add_to(*command);
+  command->callback([options, command, &exit] {
+    options->project.take(*command, options->renderers, {"--policy"});
+    if (options->renderers.empty()) options->renderers = options->project.renderers;
+    exit = run_fuzz(*options);
+  });
 }
 
 }  // namespace edgecase

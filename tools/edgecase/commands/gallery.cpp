@@ -143,7 +143,11 @@ void add_gallery_command(CLI::App& app, ExitCode& exit) {
       ->check(CLI::Range(0.01, 3600.0));
   command->add_option("--progress", options->run.progress, "Progress on standard error")
       ->check(CLI::IsMember({"auto", "never"}));
-  command->callback([options, &exit] { exit = gallery(*options); });
+  options->run.project.add_to(*command);
+  command->callback([options, command, &exit] {
+    options->run.project.take(*command, options->renderer, {});
+    exit = gallery(*options);
+  });
 }
 
 }  // namespace edgecase

@@ -23,6 +23,7 @@
 #include "search/scene_size.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/interrupt.h"
+#include "tools/edgecase/project.h"
 #include "tools/edgecase/suite_run.h"
 
 namespace edgecase {
@@ -31,6 +32,7 @@ namespace {
 struct MinimizeCommand {
   std::string path;
   std::string renderer;
+  ProjectOption project;
   std::string rule;
   std::string pixel;
   std::string output;
@@ -258,7 +260,7 @@ ExitCode minimize_case(const MinimizeCommand& command, const Case& original,
   auto made = make_renderer(
       command.renderer,
       {options.policy, std::chrono::milliseconds(static_cast<int>(command.timeout * 1000)),
-       worker_directory(), &interrupted()});
+       worker_directory(), &interrupted(), command.project.folders});
   Trial trial(*std::get<std::unique_ptr<Renderer>>(made), options);
   const InterruptGuard guard;
   try {
@@ -289,7 +291,8 @@ ExitCode run_minimize(const MinimizeCommand& command) {
   if (!original) return exit;
   TrialOptions options;
   options.policy = *policy;
-  if (const auto profile = profiles->find(command.renderer); profile != profiles->end())
+  if (const auto profile = profiles->find(split_name(command.renderer).name);
+      profile != profiles->end())
     options.profile = profile->second;
   options.stop = &interrupted();
   return minimize_case(command, *original, options);
@@ -322,7 +325,11 @@ void add_minimize_command(CLI::App& app, ExitCode& exit) {
   command->add_option("--timeout", options->timeout, "Seconds per scene")
       ->check(CLI::Range(0.01, 3600.0));
   options->policy.add_to(*command);
-  command->callback([options, &exit] { exit = run_minimize(*options); });
+  options->project.add_to(*command);
+  command->callback([options, command, &exit] {
+    options->project.take(*command, options->renderer, {"--policy"});
+    exit = run_minimize(*options);
+  });
 }
 
 }  // namespace edgecase

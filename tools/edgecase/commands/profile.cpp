@@ -18,6 +18,7 @@
 #include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/output/progress_line.h"
+#include "tools/edgecase/project.h"
 #include "tools/edgecase/suite_run.h"
 
 namespace edgecase {
@@ -25,6 +26,7 @@ namespace {
 
 struct ProfileCommand {
   std::string renderer;
+  ProjectOption project;
   std::uint64_t seed = 1;
   std::size_t scenes = 20'000;
   std::vector<std::string> surfaces;
@@ -98,7 +100,7 @@ ExitCode run_profile(const ProfileCommand& command) {
   }
   const RendererOptions renderer{
       *policy, std::chrono::milliseconds(static_cast<int>(command.timeout * 1000)),
-      worker_directory(), &interrupted()};
+      worker_directory(), &interrupted(), command.project.folders};
   MeasureOptions options = options_of(command);
   ProgressLine progress(command.progress, "scenes");
   options.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
@@ -154,7 +156,11 @@ void add_profile_command(CLI::App& app, ExitCode& exit) {
       ->check(CLI::Range(1, 256));
   command->add_option("--progress", options->progress, "Progress on standard error")
       ->check(CLI::IsMember({"auto", "never"}));
-  command->callback([options, &exit] { exit = run_profile(*options); });
+  options->project.add_to(*command);
+  command->callback([options, command, &exit] {
+    options->project.take(*command, options->renderer, {"--policy"});
+    exit = run_profile(*options);
+  });
 }
 
 }  // namespace edgecase

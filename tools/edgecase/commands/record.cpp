@@ -17,6 +17,7 @@
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/output/progress_line.h"
+#include "tools/edgecase/project.h"
 #include "tools/edgecase/suite_run.h"
 
 namespace edgecase {
@@ -25,6 +26,7 @@ namespace {
 struct RecordCommand {
   SelectionOptions selection;
   std::string renderer;
+  ProjectOption project;
   std::string file;
   int jobs = 0;
   double timeout = 10;
@@ -39,7 +41,7 @@ Recorded record_with_progress(const RecordCommand& command, const Suite& suite,
   options.renderer = command.renderer;
   options.renderer_options = {policy,
                               std::chrono::milliseconds(static_cast<int>(command.timeout * 1000)),
-                              worker_directory(), &interrupted()};
+                              worker_directory(), &interrupted(), command.project.folders};
   options.jobs =
       command.jobs > 0 ? command.jobs : static_cast<int>(std::thread::hardware_concurrency());
   options.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
@@ -99,7 +101,11 @@ void add_record_command(CLI::App& app, ExitCode& exit) {
       ->check(CLI::Range(0.01, 3600.0));
   command->add_option("--progress", options->progress, "Progress on standard error")
       ->check(CLI::IsMember({"auto", "never"}));
-  command->callback([options, &exit] { exit = record(*options); });
+  options->project.add_to(*command);
+  command->callback([options, command, &exit] {
+    options->project.take(*command, options->renderer, {"paths"});
+    exit = record(*options);
+  });
 }
 
 }  // namespace edgecase

@@ -12,6 +12,7 @@
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/options.h"
+#include "tools/edgecase/project.h"
 #include "wire/rendering_json.h"
 
 namespace edgecase {
@@ -21,6 +22,7 @@ struct RenderOptions {
   SelectionOptions selection;
   PolicyOptions policy;
   std::string renderer = "exact";
+  ProjectOption project;
   std::string json;
   std::string png;
   int scale = 1;
@@ -92,7 +94,7 @@ ExitCode render(RenderOptions options) {
   auto made =
       make_renderer(options.renderer,
                     {*policy, std::chrono::milliseconds(static_cast<int>(options.timeout * 1000)),
-                     worker_directory(), &interrupted()});
+                     worker_directory(), &interrupted(), options.project.folders});
   if (const auto* error = std::get_if<std::string>(&made)) {
     print_error(*error);
     return ExitCode::usage;
@@ -131,7 +133,11 @@ void add_render_command(CLI::App& app, ExitCode& exit) {
       ->check(CLI::Range(1, 64));
   command->add_option("--timeout", options->timeout, "Seconds per case")
       ->check(CLI::Range(0.01, 3600.0));
-  command->callback([options, &exit] { exit = render(*options); });
+  options->project.add_to(*command);
+  command->callback([options, command, &exit] {
+    options->project.take(*command, options->renderer, {"paths", "--policy"});
+    exit = render(*options);
+  });
 }
 
 }  // namespace edgecase

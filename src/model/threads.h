@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+//
+// Work on several threads.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <future>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace edgecase {
+
+// Calls work(i) for each i below `count`, each on a thread of its own, and waits for all of them.
+// Then throws the exception of the first that has thrown one.
+template <class Work>
+void run_threads(std::size_t count, const Work& work) {
+  std::vector<std::future<void>> threads;
+  for (std::size_t i = 0; i < count; ++i)
+    threads.push_back(std::async(std::launch::async, [&work, i] { work(i); }));
+  for (const std::future<void>& thread : threads) thread.wait();
+  for (std::future<void>& thread : threads) thread.get();
+}
+
+// Values that threads make in advance, and one thread takes in the order in which they were
+// started. What `make` refers to must live until the value is taken, or until this is destroyed.
+template <class Value>
+class Ahead {
+ public:
+  bool empty() const { return started_.empty(); }
+  // Has every processor enough to do? Then take one before the next is started, for memory's sake.
+  bool is_full() const {
+    return started_.size() >= 2 * std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
+  }
+  template <class Make>
+  void start(Make make) {
+    started_.push_back(std::async(std::launch::async, std::move(make)));
+  }
+  // The value that was started first. Throws what its making threw.
+  Value take() {
+    std::future<Value> first = std::move(started_.front());
+    started_.pop_front();
+    return first.get();
+  }
+
+ private:
+  std::deque<std::future<Value>> started_;
+};
+
+// Calls make(i) for each i below `count`, on several threads, and take(i, value) on this one, in
+// order. Throws what either throws.
+template <class Make, class Take>
+void make_in_order(std::size_t count, const Make& make, const Take& take) {
+  constexpr std::size_t kTogether = 8;  // made by one thread
+  using Values = std::vector<std::invoke_result_t<const Make&, std::size_t>>;
+  Ahead<Values> ahead;
+  std::size_t taken = 0;
+  const auto take_first = [&] {
+    for (auto& value : ahead.take()) take(taken++, std::move(value));
+  };
+  for (std::size_t begin = 0; begin < count; begin += kTogether) {
+    if (ahead.is_full()) take_first();
+    ahead.start([begin, end = std::min(begin + kTogether, count), &make] {
+      Values values;
+      values.reserve(end - begin);
+      for (std::size_t i = begin; i < end; ++i) values.push_back(make(i));
+      return values;
+    });
+  }
+  while (!ahead.empty()) take_first();
+}
+
+}  // namespace edgecase
