@@ -14,7 +14,7 @@
 namespace edgecase {
 namespace {
 
-// What the members of a cluster share; rule, kind and situation stay empty where there is a cause.
+// The common key of a cluster's members; rule, kind and situation are empty if there is a cause.
 struct Key {
   std::string cause;
   std::string surface;
@@ -54,7 +54,7 @@ class ClusterGatherer::Entries {
       cluster.rule = member.rule;
       cluster.kind = member.kind;
     }
-    // Of several rules or kinds none is named, rather than the first.
+    // A cluster with several rules or kinds names none.
     if (cluster.rule != member.rule) cluster.rule.clear();
     if (cluster.kind != member.kind) cluster.kind.clear();
     cluster.disagreements += member.count;

@@ -12,7 +12,7 @@
 
 #include "reports/pixels.h"
 #include "reports/report_data.h"
-#include "results/case_results_writer.h"
+#include "results/case_results_json.h"
 #include "results/clusters.h"
 #include "results/worst_first.h"
 #include "tests/reports/large_run.h"
