@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "model/fragments.h"
+#include "model/rendering.h"
 #include "reference/programs.h"
 #include "reference/read_back.h"
 

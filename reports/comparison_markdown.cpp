@@ -69,7 +69,7 @@ void write_renderer(const RendererComparison& renderer, MarkdownPage& page) {
   page.add(fmt::format("\n{} of {} {}.\n", renderer.same,
                        counted(renderer.same + renderer.cases.size(), "case", "cases"),
                        renderer.same == 1 ? "is as it was" : "are as they were"));
-  for (const ChangeKind change : kAllChanges) {
+  for (const ChangeKind change : values_of<ChangeKind>()) {
     const auto found = renderer.counts.find(change);
     if (found == renderer.counts.end()) continue;
     page.add(fmt::format("\n### {}: {}\n", found->second, describe(change)));

@@ -9,11 +9,12 @@
 // pixels follow. viewer/data.js reads it.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "results/base64.h"
-#include "results/picture_difference.h"
+#include "results/deflate.h"
 
 namespace edgecase {
 
@@ -23,5 +24,13 @@ using Bytes = std::vector<std::uint8_t>;
 Bytes pack_pixels(const Bytes& rgba);
 // The inverse.
 Bytes unpack_pixels(const Bytes& packed);
+
+// Byte by byte exclusive or of two pictures of the same size. Of one picture and its difference
+// from another, the other one.
+inline Bytes difference_of(const Bytes& a, const Bytes& b) {
+  Bytes out(std::min(a.size(), b.size()));
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = a[i] ^ b[i];
+  return out;
+}
 
 }  // namespace edgecase

@@ -12,8 +12,7 @@
 #include "model/threads.h"
 #include "reports/case_details.h"
 #include "reports/report_index.h"
-#include "results/base64.h"
-#include "results/case_results_writer.h"
+#include "results/case_results_json.h"
 #include "results/deflate.h"
 
 namespace edgecase {

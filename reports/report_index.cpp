@@ -15,7 +15,6 @@
 #include "model/threads.h"
 #include "reports/text.h"
 #include "results/clusters.h"
-#include "results/worst_first.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

@@ -9,7 +9,7 @@
 // [head, rest of its id, fragments, indices of outcomes by renderer, details or absent, 1 if it has
 // levels of detail along a row]; "details" is the number of its line, counted over all blocks
 // (report_data.h). "order" are the indices of cases in which something differs, the worst first
-// (results/worst_first.h). "untrue" are hand-drawn expectations that exact does not meet, [case,
+// (results/clusters.h). "untrue" are hand-drawn expectations that exact does not meet, [case,
 // texts]. A renderer has its "clusters" (results/clusters.h) in their order, with "at", the number
 // of the smallest case's disagreement counted from 1; "values", the sums over all cases by
 // attribute, with histograms of errors; and "scenes", the pixels of whole scenes by kind.

@@ -15,7 +15,6 @@
 #include "reports/text.h"
 #include "reports/unexpected_summary.h"
 #include "results/clusters.h"
-#include "results/worst_first.h"
 
 namespace edgecase {
 namespace {

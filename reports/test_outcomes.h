@@ -5,7 +5,7 @@
 // There is one suite per renderer with one test per case, named by the case's id. An expected or
 // known result passes, whatever its verdict; a contested one passes with a message; all others are
 // failures, and a missing answer is an error. Tests with a message come first, the worst before the
-// others (results/worst_first.h). `skipped` means only: not run because not supported, or known not
+// others (results/clusters.h). `skipped` means only: not run because not supported, or known not
 // to run. Case files that could not be loaded, hand-drawn expectations that exact does not meet,
 // known faults that have grown, and interrupted runs have suites of their own.
 #pragma once

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "model/text.h"
-#include "results/worst_first.h"
+#include "results/clusters.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

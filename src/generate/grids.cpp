@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "generate/random_scenes.h"
 #include "generate/random_shapes.h"
-#include "generate/random_source.h"
 #include "rules/coverage/diamond_exit.h"
 
 namespace edgecase {

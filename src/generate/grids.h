@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "exact/fixed.h"
+#include "generate/random_scenes.h"
 #include "generate/random_shapes.h"
-#include "generate/random_source.h"
 #include "model/names.h"
 #include "model/scene.h"
 #include "rules/coverage/segment.h"

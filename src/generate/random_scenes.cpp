@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "generate/random_scenes.h"
 
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
 #include "generate/random_shapes.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/tie_rule.h"
@@ -114,6 +119,123 @@ bool has_tie(const Scene& scene, const SamplePositions& samples) {
         covered_samples(primitive, scene.target, closed, samples))
       return true;
   return false;
+}
+
+namespace {
+
+// Generators of one seed with different purposes are independent.
+constexpr std::uint64_t kStreams = 0x5e00;  // plus an OutputKind
+constexpr std::uint64_t kWindowStreams = 0x1000;
+
+// Mostly comparisons that pass some fragments and reject others.
+constexpr std::array kFunctions{CompareFunction::less,     CompareFunction::less,
+                                CompareFunction::lequal,   CompareFunction::greater,
+                                CompareFunction::gequal,   CompareFunction::equal,
+                                CompareFunction::notequal, CompareFunction::always};
+
+template <class Enum>
+Enum any_of(RandomSource& random, Enum last) {
+  return static_cast<Enum>(random.below(static_cast<std::int64_t>(last) + 1));
+}
+
+// z for one of few depths, or any.
+Fixed random_z(RandomSource& random) {
+  const std::int64_t steps = random.one_in(3) ? 8 : Fixed::kOne;
+  return Fixed::from_raw(random.between(-steps, steps) * (Fixed::kOne / steps));
+}
+
+Draw random_triangle(RandomSource& random, const Frame& of) {
+  Frame frame = of;
+  frame.extent = random.between(Fixed::kOne, frame.most);
+  const Color color = random_color(random);
+  const bool is_level = random.one_in(3);
+  const Fixed level = random_z(random);
+  Draw draw;
+  draw.primitive = Primitive::triangles;
+  for (const Point& corner : random_triangle_shape(random, frame))
+    draw.vertices.push_back({corner, is_level ? level : random_z(random), color});
+  return draw;
+}
+
+// A term whose factors drivers support for the destination without an extension.
+BlendTerm random_term(RandomSource& random) {
+  return {any_of(random, BlendEquation::max), any_of(random, BlendFactor::src_alpha_saturate),
+          any_of(random, BlendFactor::one_minus_constant_alpha)};
+}
+
+StencilFace random_face(RandomSource& random) {
+  StencilFace face;
+  face.function = any_of(random, CompareFunction::always);
+  face.reference = static_cast<std::uint8_t>(random.below(256));
+  if (random.one_in(2)) face.read_mask = static_cast<std::uint8_t>(random.below(256));
+  if (random.one_in(2)) face.write_mask = static_cast<std::uint8_t>(random.below(256));
+  face.fail = any_of(random, StencilOperation::invert);
+  face.depth_fail = any_of(random, StencilOperation::invert);
+  face.pass = any_of(random, StencilOperation::invert);
+  return face;
+}
+
+void set_depth_test(RandomSource& random, Draw& draw) {
+  draw.operations.depth.function = random.one_of(std::span<const CompareFunction>(kFunctions));
+  draw.operations.depth.write = !random.one_in(4);
+}
+
+PolygonOffset random_offset(RandomSource& random) {
+  const auto share = [&] { return static_cast<float>(random.between(-8, 8)) / 4.0F; };
+  const float factor = random.one_in(2) ? 0 : share();
+  return {factor, 8 * share(), 0};
+}
+
+void add_draws(RandomSource& random, OutputKind kind, const Frame& frame,
+               std::vector<Draw>& draws) {
+  Draw draw = random_triangle(random, frame);
+  switch (kind) {
+    case OutputKind::depth_tested:
+      set_depth_test(random, draw);
+      break;
+    case OutputKind::blended: {
+      Blending blending{random_term(random), random_term(random), {}};
+      for (float& component : blending.constant) component = random_color_component(random);
+      draw.operations.blending = blending;
+      for (bool& mask : draw.operations.color_mask) mask = !random.one_in(8);
+      break;
+    }
+    case OutputKind::offset: {
+      draws.push_back(draw);
+      for (Vertex& vertex : draw.vertices) vertex.color = {1, 1, 1, 1};
+      set_depth_test(random, draw);
+      draw.polygon_offset = random_offset(random);
+      break;
+    }
+    case OutputKind::stencilled:
+      draw.operations.stencil = StencilTest{random_face(random), random_face(random)};
+      set_depth_test(random, draw);
+      break;
+  }
+  draws.push_back(std::move(draw));
+}
+
+}  // namespace
+
+Scene random_output_scene(const RandomOutputScenes& of, std::uint64_t index) {
+  RandomSource random(of.seed,
+                      kStreams + static_cast<std::uint64_t>(of.kind) +
+                          (of.surface == Surface::window ? kWindowStreams : 0),
+                      index);
+  const Frame frame = random_frame(random, kMostMultisampledTarget);
+  Scene scene = empty_scene(of.surface, frame.target);
+  if (of.kind == OutputKind::blended)
+    for (float& component : scene.target.clear)
+      component = static_cast<float>(random.below(256)) / 255.0F;
+  else
+    scene.target.depth = of.depth;
+  if (of.kind == OutputKind::stencilled) {
+    scene.target.stencil = StencilFormat::stencil8;
+    scene.target.clear_stencil = static_cast<std::uint8_t>(random.below(256));
+  }
+  const std::int64_t triangles = random.between(2, 6);
+  for (std::int64_t i = 0; i < triangles; ++i) add_draws(random, of.kind, frame, scene.draws);
+  return scene;
 }
 
 }  // namespace edgecase

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "generate/random_scenes.h"
-#include "generate/random_source.h"
 #include "model/scene.h"
 
 namespace edgecase {

@@ -5,8 +5,6 @@
 #include <tuple>
 #include <vector>
 
-#include "model/fragments.h"
-
 namespace edgecase {
 
 namespace {

@@ -114,10 +114,10 @@ struct Result : ResultOutline {
   std::vector<std::string> illegal_line_snaps;  // snaps under which some line is not legal
   // Alternatives under which some primitive that agrees with exact would differ.
   AlternativeSet refuted;
-  // For cases that request it (diff/shown.h): levels of detail along a row of fragments of textured
-  // draws.
+  // For cases that request it (diff/compare.h): levels of detail along a row of fragments of
+  // textured draws.
   std::vector<LevelPoint> ramp;
-  // The fragments of both sides where they differ (diff/shown.h); empty if nothing differs.
+  // The fragments of both sides where they differ (diff/compare.h); empty if nothing differs.
   std::vector<ReportedFragment> exact_fragments;
   std::vector<ReportedFragment> rendered_fragments;
   Shared<PackedWords> pixels;  // RGBA8, bottom row first; empty when not run, or not kept

@@ -4,16 +4,81 @@
 #pragma once
 
 #include <array>
+#include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "model/cause.h"
 #include "model/figure.h"
+#include "model/names.h"
+#include "model/rule_id.h"
 
 namespace edgecase {
+
+// Causes: the alternatives of rules that would have drawn what a renderer drew. The catalogue has
+// their names; rules/all_rules.h has the text of a cause.
+
+struct AlternativeId {
+  RuleId rule = RuleId::none;
+  // Index among the rule's alternatives; 0 if it has none and the rule itself is the cause.
+  std::uint8_t index = 0;
+  friend auto operator<=>(const AlternativeId&, const AlternativeId&) = default;
+};
+
+// Alternatives of different rules that apply together. Without any, no cause is known.
+struct Cause {
+  std::vector<AlternativeId> parts;
+
+  Cause() = default;
+  Cause(AlternativeId part) : parts{part} {}
+  explicit Cause(std::vector<AlternativeId> all) : parts(std::move(all)) {}
+
+  bool empty() const { return parts.empty(); }
+  std::size_t size() const { return parts.size(); }
+  // The rule of the first alternative, or none.
+  RuleId rule() const { return parts.empty() ? RuleId::none : parts.front().rule; }
+  friend auto operator<=>(const Cause&, const Cause&) = default;
+};
+
+// Appends the alternatives of `more`.
+inline Cause operator+(Cause cause, const Cause& more) {
+  cause.parts.insert(cause.parts.end(), more.parts.begin(), more.parts.end());
+  return cause;
+}
+
+// A set of alternatives of any rules.
+class AlternativeSet {
+ public:
+  static constexpr std::size_t kMostOfARule = 32;
+
+  static AlternativeSet all() {
+    AlternativeSet set;
+    set.words_.fill(~std::uint32_t{0});
+    return set;
+  }
+
+  void add(AlternativeId id) { words_[word_of(id)] |= bit_of(id); }
+  bool contains(AlternativeId id) const { return (words_[word_of(id)] & bit_of(id)) != 0; }
+  // Calls `visit` with each alternative, in order.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (const RuleId rule : values_of<RuleId>())
+      for (std::uint8_t index = 0; index < kMostOfARule; ++index)
+        if (contains({rule, index})) visit(AlternativeId{rule, index});
+  }
+  friend bool operator==(const AlternativeSet&, const AlternativeSet&) = default;
+
+ private:
+  static std::size_t word_of(AlternativeId id) { return static_cast<std::size_t>(id.rule); }
+  static std::uint32_t bit_of(AlternativeId id) { return std::uint32_t{1} << id.index; }
+
+  std::array<std::uint32_t, values_of<RuleId>().size()> words_{};
+};
 
 enum class DisagreementKind {
   missing,    // exact draws the sample, the renderer does not
@@ -22,7 +87,12 @@ enum class DisagreementKind {
   value,      // both draw it, with different values
 };
 
-const char* name_of(DisagreementKind);
+template <>
+inline constexpr auto kNames<DisagreementKind> =
+    std::to_array<Named<DisagreementKind>>({{DisagreementKind::missing, "missing"},
+                                            {DisagreementKind::extra, "extra"},
+                                            {DisagreementKind::duplicate, "duplicate"},
+                                            {DisagreementKind::value, "value"}});
 
 // Whether the specification allows a difference, by the ruling that decides.
 enum class Legality {
@@ -31,10 +101,18 @@ enum class Legality {
   illegal,
 };
 
-const char* name_of(Legality);
-bool parse_name(const std::string& name, Legality& value);
+template <>
+inline constexpr auto kNames<Legality> =
+    std::to_array<Named<Legality>>({{Legality::legal, "legal"},
+                                    {Legality::contested, "contested"},
+                                    {Legality::illegal, "illegal"}});
+
 // For people: "allowed", "contested", "not allowed".
-const char* describe(Legality);
+constexpr const char* describe(Legality legality) {
+  return legality == Legality::legal     ? "allowed"
+         : legality == Legality::illegal ? "not allowed"
+                                         : name_of(legality);
+}
 
 // Legality by the wording of the specification; the ruling decides whether that is contested
 // (rules/all_rules.h).
@@ -109,7 +187,13 @@ inline bool is_legal(const Disagreement& disagreement) {
 // Ordered from best to worst; a case gets the worst that applies.
 enum class Verdict { agree, convention, permitted, contested, violation, not_run };
 
-const char* name_of(Verdict);
-bool parse_name(const std::string& name, Verdict& value);
+template <>
+inline constexpr auto kNames<Verdict> =
+    std::to_array<Named<Verdict>>({{Verdict::agree, "agree"},
+                                   {Verdict::convention, "convention"},
+                                   {Verdict::permitted, "permitted"},
+                                   {Verdict::contested, "contested"},
+                                   {Verdict::violation, "violation"},
+                                   {Verdict::not_run, "not-run"}});
 
 }  // namespace edgecase

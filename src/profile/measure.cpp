@@ -1,21 +1,129 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "diff/compare.h"
+#include "diff/coverage/coverage_compare.h"
+#include "diff/coverage/legality.h"
+#include "diff/judge.h"
 #include "model/threads.h"
 #include "profile/clipping/clipping.h"
-#include "profile/counter_examples.h"
 #include "profile/coverage/coverage.h"
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 #include "profile/output/output.h"
 #include "profile/profile.h"
 #include "profile/samples/samples.h"
 #include "profile/textures/textures.h"
 #include "profile/values/values.h"
+#include "raster/rasterizer.h"
 #include "rules/choices.h"
 
 namespace edgecase {
 namespace {
+
+// Scenes in which a renderer does not follow its own profile, or follows it beyond the
+// specification, sorted into clusters.
+class CounterExamples {
+ public:
+  // `policy` is the profile; the reported sub-pixel bits are for ruling 4.
+  CounterExamples(Policy policy, Surface surface, int reported_subpixel_bits);
+
+  // Compares an observation with the profile and the specification, and keeps it if it fails.
+  // Returns true if the profile draws every primitive as it was drawn.
+  bool add(const Observation& observation);
+
+  // Scenes with something that the specification does not allow, whatever the profile; valid after
+  // clusters().
+  std::size_t illegal_scenes() const { return illegal_scenes_; }
+  // Judges the kept observations. Call once.
+  std::vector<ProfileCluster> clusters();
+
+ private:
+  Policy policy_;
+  Surface surface_;
+  int bits_;
+  RuleChoices choices_;
+  RuleChoices standard_;
+  std::vector<CaseResults> kept_;
+  std::map<std::string, Scene> scenes_;  // by id
+  std::size_t illegal_scenes_ = 0;
+};
+
+std::vector<PrimitiveCoverage> coverage_under(const RuleChoices& choices, const Scene& scene,
+                                              std::span<const ScenePrimitive> primitives,
+                                              const Observation& observation) {
+  std::vector<PrimitiveCoverage> coverage;
+  for (const ScenePrimitive& primitive : primitives) {
+    const auto index = static_cast<std::size_t>(primitive.index);
+    const bool is_multisampled = scene.target.samples > 1;
+    coverage.push_back(
+        {covered_samples(primitive, scene.target, choices.of(primitive.kind),
+                         observation.positions),
+         is_multisampled ? observation.samples[index] : SampleCoverage{observation.drawn[index]}});
+  }
+  return coverage;
+}
+
+bool agrees(const PrimitiveCoverage& coverage) {
+  return coverage.exact == coverage.drawn;
+}
+
+CounterExamples::CounterExamples(Policy policy, Surface surface, int reported_subpixel_bits)
+    : policy_(std::move(policy)),
+      surface_(surface),
+      bits_(latitude_bits(reported_subpixel_bits)),
+      choices_(resolve(policy_, surface)),
+      standard_(resolve(Policy{}, surface)) {}
+
+bool CounterExamples::add(const Observation& observation) {
+  const Scene& scene = observation.scene;
+  const auto primitives = primitives_of(scene);
+  const auto coverage = coverage_under(choices_, scene, primitives, observation);
+  const bool follows = std::all_of(coverage.begin(), coverage.end(), agrees);
+  if (follows) {
+    // Pixels that the specification's own choice draws, too, are beyond doubt.
+    const auto own = coverage_under(standard_, scene, primitives, observation);
+    if (std::all_of(own.begin(), own.end(), agrees)) return true;
+  }
+
+  Result result;
+  compare_coverage({scene, primitives, coverage, choices_, nullptr, Latitude::opengl, bits_, false,
+                    observation.positions},
+                   result);
+  if (result.disagreements.empty()) return follows;
+  CaseResults one;
+  one.id = observation.id;
+  one.surface = name_of(surface_);
+  one.width = scene.target.width;
+  one.height = scene.target.height;
+  one.figure = scene_figure(scene);
+  one.results.push_back(std::move(result));
+  kept_.push_back(std::move(one));
+  scenes_.emplace(observation.id, scene);
+  return follows;
+}
+
+std::vector<ProfileCluster> CounterExamples::clusters() {
+  std::vector<Result*> results;
+  for (CaseResults& one : kept_) results.push_back(&one.results.front());
+  judge(results, Latitude::opengl);
+  illegal_scenes_ = static_cast<std::size_t>(
+      std::count_if(results.begin(), results.end(),
+                    [](const Result* result) { return result->verdict == Verdict::violation; }));
+  std::vector<ProfileCluster> found;
+  ClusterGatherer gatherer;
+  for (const CaseResults& one : kept_) gatherer.add(one, one.results.front());
+  for (Cluster& cluster : gatherer.take()) {
+    Scene smallest = scenes_.at(cluster.smallest_case);
+    found.push_back({std::move(cluster), std::move(smallest)});
+  }
+  return found;
+}
 
 // Each subject depends on the findings of those before it.
 constexpr std::array kSubjects{&kCoverageSubject, &kClippingSubject, &kValueSubject,

@@ -9,7 +9,7 @@
 
 #include "casefile/case_writer.h"
 #include "model/scene.h"
-#include "profile/profile_reports.h"
+#include "profile/profile.h"
 
 namespace edgecase {
 namespace {

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "model/text.h"
-#include "profile/profile_reports.h"
+#include "profile/profile.h"
 
 namespace edgecase {
 namespace {

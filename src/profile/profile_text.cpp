@@ -11,7 +11,7 @@
 
 #include "model/scene.h"
 #include "model/text.h"
-#include "profile/profile_reports.h"
+#include "profile/profile.h"
 
 namespace edgecase {
 namespace {

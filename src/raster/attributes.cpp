@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "raster/texture_stage.h"
-#include "raster/vertex_attributes.h"
 #include "rules/values/attributes.h"
 #include "rules/values/framebuffer.h"
 #include "rules/values/interpolation.h"

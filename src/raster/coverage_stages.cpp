@@ -12,8 +12,8 @@
 
 #include "kernels/edge_functions.h"
 #include "kernels/kernels.h"
+#include "raster/attributes.h"
 #include "raster/rasterizer.h"
-#include "raster/vertex_attributes.h"
 #include "rules/all_rules.h"
 #include "rules/coverage/clip_volume.h"
 #include "rules/coverage/triangle_algorithm.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "raster/fast_scene.h"
+#include "raster/framebuffer.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
+#include "raster/attributes.h"
 #include "raster/coverage_stages.h"
 #include "raster/rasterizer.h"
-#include "raster/vertex_attributes.h"
 #include "rules/samples/sample_mask.h"
 #include "rules/values/attributes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "raster/vertex_attributes.h"
+#include "raster/attributes.h"
 
 #include <algorithm>
 #include <cmath>

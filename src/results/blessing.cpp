@@ -17,7 +17,7 @@ namespace {
 
 using Counts = std::map<std::string, std::size_t>;  // by id of a fault: cases
 
-// What new faults are told apart by.
+// The key of new faults.
 struct Subject {
   RuleId rule = RuleId::none;  // where no cause explains the difference
   std::string cause;           // text
@@ -25,7 +25,7 @@ struct Subject {
   friend auto operator<=>(const Subject&, const Subject&) = default;
 };
 
-// Differences of one subject that nothing accounts for.
+// Differences of one subject without a known fault.
 struct Gathered {
   Cause cause;
   std::set<RuleId> rules;
@@ -72,7 +72,7 @@ class Blessing {
   void gather(std::size_t at) {
     const ResultOutline& answer = results_.cases.outline(at).answers[index_];
     if (answer.standing != Standing::unexpected) return;
-    // A renderer that could not be had says nothing of the driver.
+    // A renderer that was unavailable shows nothing about the driver.
     if (answer.failure && answer.failure->kind == FailureKind::unavailable) return;
     const CaseResults one = results_.cases[at];
     const Result& result = one.results[index_];
@@ -90,7 +90,7 @@ class Blessing {
         }
   }
 
-  // Null where the case is not wanted.
+  // Null if the case is not wanted.
   Gathered* add(const CaseResults& one, const Result& result, const Subject& subject,
                 const char* kind) {
     Gathered& gathered = gathered_[subject];
@@ -136,7 +136,7 @@ class Blessing {
     return false;
   }
 
-  // Is the fault about these rules and this cause?
+  // True if the fault is about these rules and this cause.
   static bool accounts(const KnownFault& fault, const Gathered& gathered) {
     return (!fault.cause || *fault.cause == gathered.cause) &&
            (fault.rules.empty() ||
@@ -144,7 +144,7 @@ class Blessing {
                                   gathered.rules));
   }
 
-  // "line.diamond-exit" and, where that is taken, "line.diamond-exit-2".
+  // "line.diamond-exit" or, if that is taken, "line.diamond-exit-2".
   std::string free_id(const Subject& subject) {
     const std::string base = !subject.failure.empty() ? subject.failure
                              : subject.cause.empty()  ? name_of(subject.rule)
@@ -181,7 +181,7 @@ class Blessing {
     return fault;
   }
 
-  // Sets the counts of this release, and closes what it does not show.
+  // Sets the counts of this release, and closes faults that it does not show.
   void count(std::vector<KnownFault>& added) {
     KnownFaults all{current_.driver, after_};
     all.faults.insert(all.faults.end(), added.begin(), added.end());

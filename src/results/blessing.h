@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Blessing: what would change in a driver's known faults so that results are as known.
+// Blessing: the changes to a driver's known faults that make results expected.
 //
-// Differences for which nothing accounts become one new fault for each cause, and for each rule
-// where there is none; or they widen the versions of a fault that is the same but for them. Of
-// whole results every fault is counted, and one that shows nowhere is closed: its versions end
-// before this release, or, where no earlier release has it, it goes.
+// Differences without a known fault become one new fault for each cause, or for each rule if there
+// is no cause. If an existing fault differs in its versions only, these are widened instead. In
+// whole results every fault is counted, and one that does not show is closed: its versions end
+// before this release. It is removed if no earlier release has it.
 #pragma once
 
 #include <functional>
@@ -20,22 +20,22 @@ namespace edgecase {
 
 struct FaultChange {
   std::optional<KnownFault> before;  // nothing: the fault is new
-  std::optional<KnownFault> after;   // nothing: it goes
+  std::optional<KnownFault> after;   // nothing: it is removed
 
   const KnownFault& newest() const { return after ? *after : *before; }
 };
 
-// Answers that are to become known: all where it is empty. Flakes never are.
+// Selects the answers to bless; empty: all. Flakes are never blessed.
 using WantedCase = std::function<bool(const std::string& id)>;
 
 struct BlessingOptions {
   WantedCase is_wanted;
-  std::string reason;  // of new faults; empty: made of what was found
+  std::string reason;  // of new faults; empty: reason_from() makes one
   std::string link;    // of new faults, or empty
 };
 
 // For the renderer at `index`, in the order of the file; new faults come last, those of most cases
-// first. `current` are its driver's. Standings must have been set by them.
+// first. `current` are its driver's known faults, by which standings must have been set.
 std::vector<FaultChange> plan_blessing(const Results& results, std::size_t index,
                                        const KnownFaults& current, const BlessingOptions& options);
 

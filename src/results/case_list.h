@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The cases of results. What was found in them lies on a shelf and is read when it is asked for;
-// at hand is what they came to.
+// The cases of results. Outlines stay in memory; everything else is on a shelf (results/shelf.h)
+// and is read on demand.
 #pragma once
 
 #include <cstddef>
@@ -35,16 +35,16 @@ struct CaseResults {
   std::string surface;
   int width = 0;
   int height = 0;
-  std::optional<Viewport> viewport;          // where it is not the target's rectangle
+  std::optional<Viewport> viewport;          // if it is not the target's rectangle
   Shared<PackedWords> pixels;                // of the exact side, RGBA8, bottom row first
-  SampleImage samples;                       // of the exact side, where it is multisampled
+  SampleImage samples;                       // of the exact side, if it is multisampled
   std::size_t fragments = 0;                 // of the exact side
   Figure figure;                             // the case's primitives and vertices
   std::vector<std::string> expect_failures;  // hand-drawn truths that exact does not meet
   std::vector<Result> results;
 };
 
-// What is at hand of a case.
+// The part of a case that stays in memory.
 struct CaseOutline {
   std::string id;
   std::string surface;
@@ -55,7 +55,7 @@ struct CaseOutline {
 
 CaseOutline outline_of(const CaseResults& one);
 
-// Is there anything to show of it, or does every renderer agree, as expected?
+// False if every renderer agrees, as expected, so that there is nothing to show.
 bool has_details(const CaseOutline& one);
 
 // A case that is on a shelf.
@@ -64,9 +64,9 @@ class ShelvedCase {
   // Throws what Shelf::put throws.
   ShelvedCase(const CaseResults& one, std::shared_ptr<Shelf> shelf);
 
-  // What was put there, with the answers as the outline has them now. Throws what Shelf::at throws.
+  // The stored case, with the present answers of the outline. Throws what Shelf::at throws.
   CaseResults whole() const;
-  // What that takes, about.
+  // The approximate memory of whole(), bytes.
   std::size_t bytes() const { return place_.unpacked; }
 
   CaseOutline outline;
@@ -76,7 +76,7 @@ class ShelvedCase {
   Shelf::Place place_;
 };
 
-// Goes through a list by what reads one element of it.
+// Iterates over a list by its function that reads one element.
 template <class List, auto kRead>
 class ListIterator {
  public:
@@ -100,8 +100,7 @@ class ListIterator {
   std::size_t index_ = 0;
 };
 
-// A list of cases, which are values: what is read of it is a copy, and changing that changes
-// nothing here. Several threads may read.
+// A list of cases as values: reading one makes a copy. Several threads may read.
 class CaseList {
  public:
   CaseList() = default;
@@ -109,7 +108,7 @@ class CaseList {
 
   std::size_t size() const { return cases_.size(); }
   bool empty() const { return cases_.empty(); }
-  // Const, so that nobody takes it for a place to write to.
+  // Const, because assigning to the copy would change nothing here.
   const CaseResults whole(std::size_t index) const { return cases_[index].whole(); }  // NOLINT
   const CaseResults operator[](std::size_t index) const { return whole(index); }      // NOLINT
   auto begin() const { return ListIterator<CaseList, &CaseList::whole>(*this, 0); }
@@ -127,7 +126,7 @@ class CaseList {
   void replace(std::size_t index, const CaseResults& one) {
     cases_[index] = ShelvedCase(one, own_shelf());
   }
-  // Replaces a case by what `change` makes of it.
+  // Replaces a case: `change` gets a copy of it to modify.
   template <class Change>
   void change(std::size_t index, const Change& change) {
     CaseResults one = cases_[index].whole();
@@ -136,13 +135,13 @@ class CaseList {
   }
   // Adds the cases of another list; all are then sorted by id.
   void merge(CaseList other);
-  // Leaves out each case of whose outline `is_unwanted` is true.
+  // Removes each case for whose outline `is_unwanted` is true.
   template <class Unwanted>
   void erase_if(const Unwanted& is_unwanted) {
     std::erase_if(cases_, [&](const ShelvedCase& one) { return is_unwanted(one.outline); });
   }
 
-  // What a case takes when it is read, about.
+  // The approximate memory of a case that is read, bytes.
   std::size_t bytes(std::size_t index) const { return cases_[index].bytes(); }
   // The outlines of all, in their order.
   struct Outlines {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "results/case_results_reader.h"
+#include "results/case_results_json.h"
 
 #include <fmt/format.h>
 
@@ -10,13 +10,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "results/case_results_writer.h"
-#include "results/figure_json.h"
+#include "results/findings_json.h"
 #include "results/packed_text.h"
-#include "results/reported_fragments.h"
 #include "results/samples_json.h"
 #include "results/shallow_json.h"
-#include "results/whole_number.h"
 #include "rules/all_rules.h"
 #include "rules/choices.h"
 
@@ -62,17 +59,13 @@ std::vector<Item> to_list(const ReadJson& json, Convert convert) {
   return result;
 }
 
-Legality to_legality(const ReadJson& json) {
-  return to_enum(json, Legality::legal, Legality::illegal);
-}
-
 std::vector<double> to_numbers(const ReadJson& json, const char* member) {
   if (!json.contains(member)) return {};
   return to_list<double>(json.at(member), to_number);
 }
 
-Disagreement::Upright to_told(const ReadJson& json) {
-  return {to_rule(json.at("rule")), json.at("ruling"), to_legality(json.at("legality")),
+Disagreement::Upright to_upright(const ReadJson& json) {
+  return {to_rule(json.at("rule")), json.at("ruling"), to_named<Legality>(json.at("legality")),
           to_cause(json.at("cause"))};
 }
 
@@ -98,14 +91,14 @@ Disagreement to_disagreement(const ReadJson& json) {
   d.y = WholeNumber(json.at("pixel").at(1));
   read_member(json, "sample", d.sample);
   read_member(json, "primitive", d.primitive);
-  d.kind = to_enum(json.at("kind"), DisagreementKind::missing, DisagreementKind::value);
+  d.kind = to_named<DisagreementKind>(json.at("kind"));
   d.rule = to_rule(json.at("rule"));
-  d.legality = to_legality(json.at("legality"));
+  d.legality = to_named<Legality>(json.at("legality"));
   read_member(json, "cause", d.cause, to_cause);
   read_member(json, "situation", d.situation);
   read_member(json, "policy_agrees", d.policy_agrees);
   read_member(json, "ruling", d.ruling);
-  read_member(json, "upright", d.upright, to_told);
+  read_member(json, "upright", d.upright, to_upright);
   d.exact = to_numbers(json, "exact");
   d.rendered = to_numbers(json, "rendered");
   read_member(json, "explanation", d.explanation);
@@ -161,7 +154,7 @@ PixelCounts to_pixel_counts(const ReadJson& json) {
 }
 
 Judgement to_answer(const ReadJson& json) {
-  return {to_enum(json.at("verdict"), Verdict::agree, Verdict::not_run), json.at("fingerprint")};
+  return {to_named<Verdict>(json.at("verdict")), json.at("fingerprint")};
 }
 
 Viewport to_viewport(const ReadJson& json) {
@@ -169,7 +162,7 @@ Viewport to_viewport(const ReadJson& json) {
           WholeNumber(json.at(3))};
 }
 
-// What is told by its difference from another picture. The empty text is no picture.
+// A picture from its difference to another one. The empty text is no picture.
 Picture to_difference(const ReadJson& json, const CaseResults& one, const Picture& from) {
   const std::string_view text = to_text(json);
   if (text.empty()) return {};
@@ -177,7 +170,7 @@ Picture to_difference(const ReadJson& json, const CaseResults& one, const Pictur
   return bytes_of(difference_of(to_words(text, size), words_of(from->bytes())));
 }
 
-// Who failed has drawn nothing; all others have drawn what exact did, unless told otherwise.
+// A failure has no picture; any other result has exact's picture unless a member says otherwise.
 void read_pictures(const ReadJson& json, const CaseResults& one, Result& result) {
   const auto to_own_samples = [&](const char* member, const SampleImage& from) {
     return json.contains(member) ? to_samples(json.at(member), one.width, one.height, from)
@@ -193,16 +186,13 @@ void read_pictures(const ReadJson& json, const CaseResults& one, Result& result)
 }
 
 Failure to_failure(const ReadJson& json) {
-  return {to_enum(json.at("kind"), FailureKind::unsupported, FailureKind::unavailable),
-          json.at("reason")};
+  return {to_named<FailureKind>(json.at("kind")), json.at("reason")};
 }
 
 void read_judgement(const ReadJson& json, const CaseResults& one, Result& result) {
-  result.verdict = to_enum(json.at("verdict"), Verdict::agree, Verdict::not_run);
+  result.verdict = to_named<Verdict>(json.at("verdict"));
   read_member(json, "fingerprint", result.fingerprint);
-  read_member(json, "standing", result.standing, [](const ReadJson& standing) {
-    return to_enum(standing, Standing::expected, Standing::flake);
-  });
+  read_member(json, "standing", result.standing, to_named<Standing>);
   read_member(json, "standing_reason", result.standing_reason);
   read_member(json, "faults", result.faults);
   read_member(json, "again", result.again, to_answer);
@@ -235,10 +225,6 @@ Result to_result(const ReadJson& json, const CaseResults& one) {
 }
 
 }  // namespace
-
-void refuse_name(const std::string& text) {
-  throw std::runtime_error(fmt::format("\"{}\" is not known here", text));
-}
 
 CaseResults to_head(const ReadJson& json) {
   CaseResults head;

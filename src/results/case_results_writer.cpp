@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "results/case_results_writer.h"
+#include "results/case_results_json.h"
 
 #include <algorithm>
 
-#include "results/figure_json.h"
 #include "results/findings_json.h"
 #include "results/packed_text.h"
-#include "results/reported_fragments.h"
 #include "results/samples_json.h"
 #include "rules/all_rules.h"
 #include "rules/choices.h"

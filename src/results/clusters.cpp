@@ -5,16 +5,97 @@
 #include <compare>
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
+#include "model/threads.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
 
-// What the members of a cluster share; rule, kind and situation stay empty where there is a cause.
+// What an answer begins with: with a cause, or without one.
+struct Beginning {
+  std::size_t renderer = 0;
+  Verdict verdict = Verdict::agree;
+  std::string cause;
+  std::string rule;
+  int kind = 0;
+  std::string situation;
+  friend auto operator<=>(const Beginning&, const Beginning&) = default;
+};
+
+Beginning beginning_of(const Result& result, std::size_t renderer) {
+  // The first of the worst.
+  const auto worst = std::ranges::max_element(result.disagreements, {}, &Disagreement::legality);
+  if (worst != result.disagreements.end()) {
+    if (!worst->cause.empty()) return {renderer, result.verdict, text_of(worst->cause), "", 0, ""};
+    return {
+        renderer,        result.verdict, "", name_of(worst->rule), static_cast<int>(worst->kind),
+        worst->situation};
+  }
+  const int kind = static_cast<int>(DisagreementKind::value);
+  for (const ValueAggregate& values : result.values)
+    if (!values.differing.empty())
+      return {renderer, result.verdict,  text_of(values.cause), name_of(values.rule),
+              kind,     values.attribute};
+  const std::string failure = result.failure ? name_of(result.failure->kind) : "";
+  return {renderer, result.verdict, "", failure, 0, ""};
+}
+
+// 0 for the worst. What was not run comes last: nothing is known of it.
+int rank_of(Verdict verdict) {
+  constexpr int kLast = static_cast<int>(Verdict::not_run);
+  return verdict == Verdict::not_run ? kLast : kLast - 1 - static_cast<int>(verdict);
+}
+
+}  // namespace
+
+std::vector<const Disagreement*> worst_first(const Result& result) {
+  std::vector<const Disagreement*> order;
+  for (const Disagreement& d : result.disagreements) order.push_back(&d);
+  std::ranges::stable_sort(order, std::ranges::greater(),
+                           [](const Disagreement* d) { return d->legality; });
+  return order;
+}
+
+std::vector<AnswerPlace> worst_first(const Results& results, const WantedAnswer& is_wanted) {
+  struct Sorted {
+    AnswerPlace place;
+    int rank = 0;
+    const std::size_t* alike = nullptr;
+  };
+  std::map<Beginning, std::size_t> counts;
+  std::vector<Sorted> sorted;
+  const auto beginnings_of = [&](std::size_t i) {
+    std::vector<Beginning> beginnings;
+    if (std::ranges::none_of(results.cases.outline(i).answers, is_wanted)) return beginnings;
+    const CaseResults one = results.cases[i];
+    for (std::size_t r = 0; r < one.results.size() && r < results.renderers.size(); ++r)
+      if (is_wanted(one.results[r])) beginnings.push_back(beginning_of(one.results[r], r));
+    return beginnings;
+  };
+  const auto add = [&](std::size_t i, const std::vector<Beginning>& beginnings) {
+    for (const Beginning& beginning : beginnings) {
+      std::size_t& count = counts[beginning];
+      ++count;
+      sorted.push_back({{i, beginning.renderer}, rank_of(beginning.verdict), &count});
+    }
+  };
+  make_in_order(results.cases.size(), beginnings_of, add);
+  std::ranges::stable_sort(sorted, [](const Sorted& a, const Sorted& b) {
+    return std::tuple(a.rank, *b.alike) < std::tuple(b.rank, *a.alike);
+  });
+  std::vector<AnswerPlace> places;
+  for (const Sorted& one : sorted) places.push_back(one.place);
+  return places;
+}
+
+namespace {
+
+// The common key of a cluster's members; rule, kind and situation are empty if there is a cause.
 struct Key {
   std::string cause;
   std::string surface;
@@ -54,7 +135,7 @@ class ClusterGatherer::Entries {
       cluster.rule = member.rule;
       cluster.kind = member.kind;
     }
-    // Of several rules or kinds none is named, rather than the first.
+    // A cluster with several rules or kinds names none.
     if (cluster.rule != member.rule) cluster.rule.clear();
     if (cluster.kind != member.kind) cluster.kind.clear();
     cluster.disagreements += member.count;

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Clusters: the differences of a renderer, those that share one cause or one geometric situation
-// taken together.
+// Clusters: the differences of a renderer, grouped by their cause or their geometric situation.
 //
-// A run may show ten thousand disagreements that are three faults. What an alternative of the
-// catalogue accounts for is one cluster per cause, wherever on a primitive it lies. The rest is
-// what nobody has explained yet: it is grouped by rule, kind and situation ("first pixel, start on
-// the diamond's lower corner"). Each has its smallest case to begin with. Surfaces and legality are
-// never mixed. What the clusters mean is left to the reader.
+// Ten thousand disagreements of a run may be three faults. Differences with a catalogued cause form
+// one cluster per cause, wherever they lie on a primitive. Unexplained ones are grouped by rule,
+// kind and situation ("first pixel, start on the diamond's lower corner"). Each cluster names its
+// smallest case. Different surfaces and legalities are never in one cluster.
 #pragma once
 
 #include <compare>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,6 +19,29 @@
 
 namespace edgecase {
 
+// Worst first: the order in which people are told what a run found.
+//
+// What is not allowed comes before what is contested, and that before what is allowed, wherever
+// something is listed: the disagreements of a case, the cases of a page, the tests of a suite.
+
+// The disagreements of a result: illegal ones, contested ones, legal ones; otherwise in their
+// order.
+std::vector<const Disagreement*> worst_first(const Result& result);
+
+// The answer of one renderer to one case.
+struct AnswerPlace {
+  std::size_t one = 0;       // index in Results::cases
+  std::size_t renderer = 0;  // index in Results::renderers
+};
+
+using WantedAnswer = std::function<bool(const ResultOutline&)>;
+
+// The answers that are wanted, by their verdict: violation, contested, permitted, convention,
+// agree, not-run. Within a verdict those come first whose first disagreement is of a cause, or
+// without one of a rule, kind and situation, that more of the renderer's answers begin with. Ties
+// stay in the order of cases and renderers.
+std::vector<AnswerPlace> worst_first(const Results& results, const WantedAnswer& is_wanted);
+
 struct Cluster {
   std::string rule;                       // id; empty: several, which the cause joins
   std::string kind;                       // "missing"; empty: several, which the cause joins
@@ -27,13 +49,13 @@ struct Cluster {
   Legality legality = Legality::illegal;  // of all of them
   std::string cause;                      // empty: none found
   std::string situation;                  // in words; empty where there is a cause, and for values
-  // "color", "depth", "pixel": values that differ inside what is permitted, empty otherwise.
+  // "color", "depth", "pixel": values that differ within the permitted range; empty otherwise.
   std::string attribute;
   std::size_t disagreements = 0;  // with `attribute`: values
   std::size_t cases = 0;          // that have at least one of them
 
   // The case to look at first: fewest primitives, then the smallest target, then the shortest id,
-  // then the first id; and where in it the first of them lies.
+  // then the first id; and the place of its first difference.
   std::string smallest_case;  // id
   std::string smallest_file;  // path of its case file, as given
   int x = 0;                  // pixel column
@@ -66,7 +88,7 @@ class ClusterGatherer {
   std::unique_ptr<Entries> entries_;
 };
 
-// What cases are ordered by: the least is the one to look at first (Cluster::smallest_case).
+// The order of cases: the least is the one to look at first (Cluster::smallest_case).
 struct CaseSize {
   std::ptrdiff_t primitives = 0;
   std::ptrdiff_t pixels = 0;
@@ -77,8 +99,8 @@ struct CaseSize {
   friend auto operator<=>(const CaseSize&, const CaseSize&) = default;
 };
 
-// What tells a cluster from the others of its renderer, on one line: "line.diamond-exit extra,
-// first pixel, window" or "triangle.fill-rule=left-bottom, fbo". Without legality and counts.
+// The name of a cluster among those of its renderer, on one line: "line.diamond-exit extra, first
+// pixel, window" or "triangle.fill-rule=left-bottom, fbo". Without legality and counts.
 std::string title_of(const Cluster& cluster);
 
 }  // namespace edgecase

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -58,7 +59,7 @@ std::vector<FactChange> compare_claims(const RendererInfo& before, const Rendere
   return facts;
 }
 
-// Nothing where the two answers are the same.
+// Nothing if the two answers are the same.
 std::optional<ChangeKind> change_of(const Judgement& before, const Judgement& after) {
   if (before == after) return std::nullopt;
   const bool ran = before.verdict != Verdict::not_run;
@@ -70,7 +71,7 @@ std::optional<ChangeKind> change_of(const Judgement& before, const Judgement& af
   return before.verdict < after.verdict ? ChangeKind::worse : ChangeKind::better;
 }
 
-// Do the later results show what a change is about, rather than the earlier ones?
+// True if the later results show the reason for a change; otherwise the earlier ones do.
 bool shows_after(ChangeKind change) {
   switch (change) {
     case ChangeKind::new_disagreement:
@@ -188,30 +189,6 @@ std::string names_of(const Results& results) {
 
 }  // namespace
 
-const char* name_of(ChangeKind change) {
-  switch (change) {
-    case ChangeKind::new_disagreement:
-      return "new-disagreement";
-    case ChangeKind::worse:
-      return "worse";
-    case ChangeKind::not_run:
-      return "not-run";
-    case ChangeKind::changed:
-      return "changed";
-    case ChangeKind::appeared:
-      return "appeared";
-    case ChangeKind::disappeared:
-      return "disappeared";
-    case ChangeKind::runs:
-      return "runs";
-    case ChangeKind::better:
-      return "better";
-    case ChangeKind::fixed:
-      return "fixed";
-  }
-  return "?";
-}
-
 std::variant<Comparison, std::string> compare_results(const Results& before, const Results& after) {
   Comparison comparison;
   comparison.facts = compare_facts(before, after);
@@ -241,6 +218,67 @@ bool differs(const Comparison& comparison) {
          std::ranges::any_of(comparison.renderers, [](const RendererComparison& renderer) {
            return !renderer.cases.empty();
          });
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json facts_json(const std::vector<FactChange>& facts) {
+  Json list = Json::array();
+  for (const FactChange& fact : facts)
+    list.push_back({{"what", fact.what}, {"before", fact.before}, {"after", fact.after}});
+  return list;
+}
+
+Json answer_json(const Judgement& answer) {
+  return {{"verdict", name_of(answer.verdict)}, {"fingerprint", answer.fingerprint}};
+}
+
+Json case_json(const CaseChange& one) {
+  Json json = {{"id", one.id}, {"change", name_of(one.change)}};
+  if (one.before) json["before"] = answer_json(*one.before);
+  if (one.after) json["after"] = answer_json(*one.after);
+  return json;
+}
+
+Json cluster_json(const ChangeCluster& cluster) {
+  return {{"change", name_of(cluster.change)},
+          {"rule", cluster.rule},
+          {"cause", cluster.cause},
+          {"cases", cluster.cases},
+          {"disagreements", cluster.disagreements},
+          {"first_case", cluster.first_case}};
+}
+
+Json renderer_json(const RendererComparison& renderer) {
+  Json counts = Json::object();
+  for (const auto& [change, count] : renderer.counts) counts[name_of(change)] = count;
+  Json clusters = Json::array();
+  for (const ChangeCluster& cluster : renderer.clusters) clusters.push_back(cluster_json(cluster));
+  Json cases = Json::array();
+  for (const CaseChange& one : renderer.cases) cases.push_back(case_json(one));
+  return {{"before", renderer.before},
+          {"after", renderer.after},
+          {"facts", facts_json(renderer.facts)},
+          {"same", renderer.same},
+          {"counts", std::move(counts)},
+          {"clusters", std::move(clusters)},
+          {"cases", std::move(cases)}};
+}
+
+}  // namespace
+
+std::string comparison_json(const Comparison& comparison) {
+  Json renderers = Json::array();
+  for (const RendererComparison& renderer : comparison.renderers)
+    renderers.push_back(renderer_json(renderer));
+  const Json json = {{"edgecase_comparison", 1},
+                     {"facts", facts_json(comparison.facts)},
+                     {"renderers", std::move(renderers)},
+                     {"only_before", comparison.only_before},
+                     {"only_after", comparison.only_after}};
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace edgecase

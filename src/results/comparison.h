@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Comparison: what became of each case from one results file to another, between two drivers,
-// versions or policies.
+// Comparison: how each case changed from one results file to another, between two drivers, versions
+// or policies.
 //
-// Renderers are matched by name; where each file has one alone, these two are compared whatever
-// they are called. Expectations play no part: answers are compared with answers, by verdict and
-// fingerprint. What differs is grouped by rule and cause, so that one fault that came with a new
-// version is one line, however many cases show it.
+// Renderers are matched by name; if each file has only one, these two are compared whatever their
+// names. Answers are compared with answers, by verdict and fingerprint; known faults play no part.
+// Changes are grouped by rule and cause, so that one fault of a new version is one line, however
+// many cases show it.
 #pragma once
 
 #include <array>
@@ -33,18 +33,17 @@ enum class ChangeKind {
   better,            // the verdict is a better one, short of agreement
   fixed,             // it agrees now, and did not
 };
-
-inline constexpr std::array kAllChanges = {ChangeKind::new_disagreement,
-                                           ChangeKind::worse,
-                                           ChangeKind::not_run,
-                                           ChangeKind::changed,
-                                           ChangeKind::appeared,
-                                           ChangeKind::disappeared,
-                                           ChangeKind::runs,
-                                           ChangeKind::better,
-                                           ChangeKind::fixed};
-
-const char* name_of(ChangeKind);  // "new-disagreement"
+template <>
+inline constexpr auto kNames<ChangeKind> =
+    std::to_array<Named<ChangeKind>>({{ChangeKind::new_disagreement, "new-disagreement"},
+                                      {ChangeKind::worse, "worse"},
+                                      {ChangeKind::not_run, "not-run"},
+                                      {ChangeKind::changed, "changed"},
+                                      {ChangeKind::appeared, "appeared"},
+                                      {ChangeKind::disappeared, "disappeared"},
+                                      {ChangeKind::runs, "runs"},
+                                      {ChangeKind::better, "better"},
+                                      {ChangeKind::fixed, "fixed"}});
 
 struct CaseChange {
   std::string id;
@@ -53,7 +52,7 @@ struct CaseChange {
   std::optional<Judgement> after;
 };
 
-// What changed in one way, by one rule and cause. A case of several rules counts in each.
+// The changes of one kind by one rule and cause. A case with several rules counts in each.
 struct ChangeCluster {
   ChangeKind change = ChangeKind::changed;
   std::string rule;   // id; of cases that are not rendered "not-run"
@@ -63,7 +62,7 @@ struct ChangeCluster {
   std::string first_case;         // by id
 };
 
-// Something beside the cases that is not the same in both.
+// A difference that is not about a case.
 struct FactChange {
   std::string what;  // "version"
   std::string before;
@@ -87,10 +86,10 @@ struct Comparison {
   std::vector<std::string> only_after;
 };
 
-// A sentence instead where no renderer can be compared.
+// Returns a sentence instead if no renderer can be compared.
 std::variant<Comparison, std::string> compare_results(const Results& before, const Results& after);
 
-// Is any case, or a renderer, not as it was? Facts do not count.
+// True if any case has changed, or only one file has a renderer. Facts do not count.
 bool differs(const Comparison& comparison);
 
 // The comparison as JSON, complete:
@@ -100,7 +99,7 @@ bool differs(const Comparison& comparison);
 //    "cases", "disagreements", "first_case"}], "cases": [{"id", "change", "before": {"verdict",
 //    "fingerprint"}, "after"}]}], "only_before", "only_after"}
 //
-// "before" or "after" of a case is absent where the case is.
+// A case that is missing on one side has no "before" or "after".
 std::string comparison_json(const Comparison& comparison);
 
 }  // namespace edgecase

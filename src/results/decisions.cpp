@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "results/shallow_json.h"
+#include "results/standing.h"
 
 namespace edgecase {
 namespace {
@@ -26,7 +27,7 @@ void check_keys(const Json& object, const std::set<std::string>& known) {
     if (!known.contains(key)) throw std::runtime_error(fmt::format("unknown key \"{}\"", key));
 }
 
-// A text that must be there and must not be empty.
+// A required text that must not be empty.
 std::string text_of(const Json& object, const char* key) {
   if (!object.contains(key)) throw std::runtime_error(fmt::format("\"{}\" is missing", key));
   if (!object.at(key).is_string()) throw std::runtime_error(fmt::format("\"{}\" is no text", key));
@@ -44,7 +45,7 @@ Judgement to_answer(const Json& object) {
   const std::string verdict = text_of(object, "verdict");
   if (!parse_name(verdict, answer.verdict))
     throw std::runtime_error(fmt::format("\"{}\" is no verdict", verdict));
-  // What agrees has an empty one.
+  // An answer that agrees has an empty one.
   if (!object.contains("fingerprint") || !object.at("fingerprint").is_string())
     throw std::runtime_error("\"fingerprint\" is missing");
   answer.fingerprint = object.at("fingerprint");
@@ -68,24 +69,18 @@ Decision to_decision(const Json& object, const std::string& renderer) {
   return decision;
 }
 
-std::string words_of(const Judgement& answer) {
-  return answer.fingerprint.empty()
-             ? std::string(name_of(answer.verdict))
-             : fmt::format("{} {}", name_of(answer.verdict), answer.fingerprint);
-}
-
 const ResultOutline* find_answer(const Results& results, std::size_t index, const std::string& id) {
   const auto found = results.cases.find(id);
   return found ? &results.cases.outline(*found).answers[index] : nullptr;
 }
 
-// Why a decision holds no more, or empty.
+// The reason why a decision does not hold any more; empty if it holds.
 std::string refusal_of(const Decision& decision, const ResultOutline* answer) {
   if (answer == nullptr) return "the results have no such case";
   if (answer->again) return "the answer changes when it is asked for again: nothing to decide on";
   if (judgement_of(*answer) != decision.seen)
-    return fmt::format("it was made on {}, and the results have {}", words_of(decision.seen),
-                       words_of(judgement_of(*answer)));
+    return fmt::format("it was made on {}, and the results have {}", describe(decision.seen),
+                       describe(judgement_of(*answer)));
   if (decision.accepts && answer->standing == Standing::known)
     return fmt::format("it is known by now: {}", fmt::join(answer->faults, ", "));
   if (decision.accepts && answer->standing != Standing::unexpected)

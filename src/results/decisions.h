@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Decisions: what a reviewer made of answers, case by case, for `edgecase bless --from`.
+// Decisions: a reviewer's decisions on answers, case by case, for `edgecase bless --from`.
 //
 //   {"edgecase_decisions": 2,
 //    "renderer": "egl:softpipe",
@@ -9,9 +9,9 @@
 //       "verdict": "violation", "fingerprint": "0123456789abcdef",
 //       "decision": "accept", "reason": "known since 22.3", "link": "https://..."}]}
 //
-// A decision names the answer that it was made on. "renderer" of the file holds for decisions
-// without one; "link" may be absent. So a decision that comes late decides nothing: where the
-// answer is another one by now, or is known, it is refused, and others hold all the same.
+// "renderer" of the file holds for decisions without one; "link" may be absent. A decision names
+// the answer on which it was made. If the answer has changed since, or is known by now, the
+// decision is refused; others still hold.
 //
 // "accept" makes the answer a known fault of the renderer's driver; answers that are accepted for
 // one reason and show one rule and cause become one fault. "reject" writes nothing: the answer
@@ -37,11 +37,11 @@ struct Decision {
   std::string link;    // or empty
 };
 
-// A sentence that says what is wrong and where, otherwise: unknown keys, two decisions on one case
+// Otherwise a sentence that says what is wrong and where: unknown keys, two decisions on one case
 // and renderer, a missing reason.
 std::variant<std::vector<Decision>, std::string> parse_decisions(const std::string& text);
 
-// What becomes of one decision.
+// Whether one decision holds.
 struct DecisionOutcome {
   const Decision* decision = nullptr;
   std::string refusal;  // the reason; empty: it holds
@@ -51,7 +51,7 @@ struct DecisionOutcome {
 std::vector<DecisionOutcome> weigh_decisions(const Results& results, std::size_t index,
                                              std::span<const Decision> decisions);
 
-// What the decisions that hold change in the known faults of the renderer's driver.
+// The changes to the known faults of the renderer's driver by the decisions that hold.
 std::vector<FaultChange> plan_decisions(const Results& results, std::size_t index,
                                         const KnownFaults& current,
                                         std::span<const DecisionOutcome> outcomes);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Deflate: what is long, made short (RFC 1950: deflated, with a checksum at its end).
+// Bytes in fewer bytes (zlib, RFC 1950: deflated, with a checksum at the end), and bytes as text
+// (base64, RFC 4648, section 4).
 #pragma once
 
 #include <cstddef>
@@ -11,11 +12,17 @@
 
 namespace edgecase {
 
-// Throws std::runtime_error where there is no memory.
+// Padded with "=" to a multiple of four characters.
+std::string to_base64(const std::vector<std::uint8_t>& bytes);
+
+// The inverse. Throws std::runtime_error for any other text.
+std::vector<std::uint8_t> from_base64(std::string_view text);
+
+// Throws std::runtime_error if memory runs out.
 std::vector<std::uint8_t> deflated(std::string_view text);
 
-// The longest text that a value of ours is deflated from, a picture of the largest target say, is a
-// small part of it. A file of some megabytes could otherwise ask for all memory.
+// Much longer than any text of ours, such as a picture of the largest target. Without a limit a
+// file of some megabytes could take all memory.
 constexpr std::size_t kMostInflated = std::size_t{1} << 30;
 
 // The inverse. Throws std::runtime_error for bytes that are damaged, or deflated from more than

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "results/json_writer.h"
-#include "results/packed_stream.h"
+#include "results/packed_text.h"
 #include "results/shallow_json.h"
 
 namespace edgecase {

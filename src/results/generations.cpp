@@ -11,7 +11,7 @@ void raise(CasesOn& cases, const std::string& release, std::size_t count) {
   most = std::max(most, count);
 }
 
-// Other products stand apart; of one, older releases come first.
+// By product, then from older to newer releases.
 bool is_older(const Release& a, const Release& b) {
   if (a.product != b.product) return a.product < b.product;
   if (a.numbers != b.numbers) return is_before(a.numbers, b.numbers);

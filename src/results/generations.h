@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Generations: which releases of a driver show which known fault, by runs of the whole suite.
+// Generations: which releases of a driver show which known fault, from runs of the whole suite.
 #pragma once
 
 #include <cstddef>
@@ -8,12 +8,12 @@
 #include <optional>
 #include <string>
 
-#include "results/driver.h"
+#include "results/known_faults.h"
 #include "results/results.h"
 
 namespace edgecase {
 
-// What a release showed of one fault: in how many cases, by the renderer of this driver that had
+// The number of cases in which a release showed one fault: that of the driver's renderer with the
 // most.
 using CasesOn = std::map<std::string, std::size_t>;  // by text_of(Release)
 
@@ -28,8 +28,8 @@ struct DriverGenerations {
 
 using Generations = std::map<std::string, DriverGenerations>;  // by driver
 
-// Adds a run. Results that are not whole are refused: what they do not show need not be gone.
-// Returns a sentence that says so.
+// Adds a run. Results that are not whole are refused with a sentence, because a fault that they do
+// not show need not be gone.
 std::optional<std::string> add_generation(Generations& generations, const Results& results);
 
 }  // namespace edgecase

@@ -10,8 +10,8 @@ namespace {
 
 using ErrorHandler = nlohmann::json::error_handler_t;
 
-// Is this text itself what stands between the quotes? Of nearly all it is. No branch leaves the
-// loop, so that the compiler asks many characters at once.
+// True if the text needs no escapes, as nearly all texts. No branch leaves the loop, so that the
+// compiler tests many characters at once.
 bool is_plain(std::string_view text) {
   unsigned char others = 0;
   for (const char c : text)
@@ -36,8 +36,8 @@ void JsonWriter::value(std::string_view text) {
   text_ += '"';
 }
 
-// The digits are the library's, which are not always the shortest, as those of fmt and the standard
-// library are. Its public way to them makes a tree and a text for each number.
+// The digits are those of the JSON library, which are not always the shortest, unlike those of fmt
+// and the standard library. Its public function makes a tree and a text for each number.
 void JsonWriter::value(double value) {
   if (std::isnan(value)) return literal("\"nan\"");
   if (std::isinf(value)) return literal(value > 0 ? "\"inf\"" : "\"-inf\"");

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// JSON written straight to the end of a text, member by member, without a tree of it in memory.
+// Appends JSON to a text, member by member, without a tree in memory.
 //
-// The text is to the byte what nlohmann::ordered_json would dump without spaces: escapes and
-// numbers with a fraction are that library's, bytes that are no UTF-8 are replaced. Whoever writes
-// sees to it that an object's members have names, and that none has the name of another.
+// The text equals, to the byte, what nlohmann::ordered_json dumps without spaces: escapes and
+// numbers with a fraction are that library's, and invalid UTF-8 is replaced. The caller gives the
+// members of an object names, all different.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Known faults: what is known of a driver, as a person would file it, so that CI is green on known
+// Known faults of a driver, written as a person would file them, so that CI is green on known
 // faults and red on new ones.
 //
 //   {"driver": "llvmpipe", "faults": [
@@ -8,12 +8,12 @@
 //      "cause": "line.algorithm=…", "surface": "fbo", "cases": ["lines"],
 //      "versions": "Mesa >=22.3", "cases_on": {"Mesa 22.3.6": 96}, "reason": "…", "link": "…"}]}
 //
-// A file belongs to one driver (results/driver.h), however that is reached. An entry accounts for a
-// difference that the letter of the specification forbids if rule, kind, cause, surface, case,
-// renderer and release of the driver fit; what is absent fits any, but a rule or a cause is named.
-// Legal differences need no entry. "rule", "kind" and "renderer" may be lists. "cause" is part of
-// the difference's cause, or "none" where no catalogued alternative may explain it. A name in
-// "cases" holds for the case, and for all cases of the file and folder of that name; * and ? are
+// A file belongs to one driver (driver_of), however that is reached. An entry accounts
+// for a difference that the letter of the specification forbids if rule, kind, cause, surface,
+// case, renderer and release of the driver fit; what is absent fits any, but a rule or a cause is
+// named. Legal differences need no entry. "rule", "kind" and "renderer" may be lists. "cause" is
+// part of the difference's cause, or "none" where no catalogued alternative may explain it. A name
+// in "cases" holds for the case, and for all cases of the file and folder of that name; * and ? are
 // wildcards, in "renderer" as well. An entry for answers that did not come has neither rule nor
 // cause, and the kind "crashed", "timed-out" or "garbage".
 //
@@ -28,12 +28,56 @@
 #include <variant>
 #include <vector>
 
+#include "model/renderer.h"
 #include "model/rule_id.h"
 #include "model/verdict.h"
-#include "results/driver.h"
 #include "results/results.h"
 
 namespace edgecase {
+
+// Drivers and their releases, from the reports of a renderer.
+//
+// Known faults belong to a driver, however it is reached: llvmpipe has the same faults through
+// OSMesa and through EGL. An OpenGL driver is read from GL_RENDERER and its release from
+// GL_VERSION. Any other program is its own driver, with its renderer's name.
+
+struct Release {
+  std::string product;       // "Mesa"; empty where the version begins with a number
+  std::vector<int> numbers;  // 22, 3, 6; empty where no version is reported
+  bool is_es = false;        // reached as OpenGL ES
+
+  friend bool operator==(const Release&, const Release&) = default;
+};
+
+// "Mesa 22.3.6", "Mesa 22.3.6 ES", "1.0"; "unversioned" where nothing is reported.
+std::string text_of(const Release& release);
+
+// "4.5 (Core Profile) Mesa 22.3.6" is Mesa 22.3.6, "OpenGL ES 3.2 NVIDIA 535.104" is NVIDIA
+// 535.104 of OpenGL ES, "tiny 1.2" is tiny 1.2.
+Release release_of(const RendererInfo& info);
+
+// "llvmpipe", "softpipe", "zink" (on Mesa's own Vulkan), "SwiftShader" (zink on SwiftShader); of
+// another OpenGL, GL_RENDERER up to its first bracket or slash; else known_as(info).
+std::string driver_of(const RendererInfo& info);
+
+// The releases of one product from `low` on and before `high`, if these are given:
+// "Mesa >=22.3 <25.1". OpenGL and OpenGL ES are not distinguished.
+struct VersionRange {
+  std::string product;
+  std::vector<int> low;   // empty: from the first on
+  std::vector<int> high;  // empty: without end
+
+  friend bool operator==(const VersionRange&, const VersionRange&) = default;
+};
+
+std::string text_of(const VersionRange& range);
+// Otherwise a sentence that says what is wrong.
+std::variant<VersionRange, std::string> parse_range(const std::string& text);
+
+bool holds(const VersionRange& range, const Release& release);
+
+// True if version `a` is before `b`. Missing numbers count as 0.
+bool is_before(const std::vector<int>& a, const std::vector<int>& b);
 
 struct KnownFault {
   std::string id;             // unique in its file
@@ -49,7 +93,7 @@ struct KnownFault {
   std::string reason;                           // a sentence, never empty
   std::string link;                             // where it is reported, or empty
 
-  // Is it about answers that did not come?
+  // True if it is about missing answers.
   bool is_failure() const { return rules.empty() && !cause; }
   friend bool operator==(const KnownFault&, const KnownFault&) = default;
 };
@@ -59,7 +103,7 @@ struct KnownFaults {
   std::vector<KnownFault> faults;  // in the file's order
 };
 
-// A file's text; a sentence that says what is wrong and where, otherwise.
+// Parses a file's text. Otherwise a sentence that says what is wrong and where.
 std::variant<KnownFaults, std::string> parse_known_faults(const std::string& text);
 std::string known_faults_text(const KnownFaults& known);
 
@@ -68,13 +112,13 @@ std::string known_faults_text(const KnownFaults& known);
 // a digest of the whole.
 std::string file_name_about(const std::string& name);
 
-// Does a name of KnownFault::cases hold for a case?
+// True if a name of KnownFault::cases matches a case.
 bool names_case(const std::string& name, const std::string& id);
 
-// Does the fault account for one difference of an answer, or for the answer that did not come,
-// whatever the renderer and its release? `surface` is the case's. A cause fits if it is part of the
-// difference's or, of coverage, of one that explains its primitive: which of these is told depends
-// on the run.
+// True if the fault accounts for one difference of an answer, or for a missing answer, regardless
+// of the renderer and its release. `surface` is the case's. A cause fits if it is part of the
+// difference's cause or, for coverage, of any cause that explains the primitive: which of these is
+// reported depends on the run.
 bool accounts_for(const KnownFault& fault, const std::string& id, const std::string& surface,
                   const Result& result, const Disagreement& d);
 bool accounts_for(const KnownFault& fault, const std::string& id, const std::string& surface,

@@ -5,10 +5,10 @@
 // Words are 32 bits each, in hexadecimal digits without leading zeros, with a space between them. A
 // word that stands N times in a row is "WORD*N". The word of a pixel is RRGGBBAA.
 //
-// A picture is told by what is left of each byte when its neighbours are taken away: the one on the
-// left and the one below are subtracted, the one below on the left is added, each 0 beyond the
-// border, all modulo 256. What is left of a flat or evenly shaded area is nearly all zero, which
-// the compression of the file (results/packed_stream.h) makes nearly nothing of.
+// A picture is stored as differences: from each byte its left and lower neighbours are subtracted,
+// and the lower left one is added, each 0 beyond the border, all modulo 256. For a flat or evenly
+// shaded area nearly all differences are zero, and the file's compression (TextPacker) makes them
+// very small.
 //
 // Places are pixels, each as often as something is found there, in the order in which they are
 // read: by row from the bottom, then by column. "yN" begins row N. "S+N*T" skips S pixels of the
@@ -18,6 +18,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,10 +41,62 @@ std::vector<std::uint8_t> to_picture(std::string_view text, int width, int heigh
 std::vector<std::uint32_t> words_of(const std::vector<std::uint8_t>& bytes);
 std::vector<std::uint8_t> bytes_of(const std::vector<std::uint32_t>& words);
 
-// The primitives of places are not told: they come back as -1.
+// Primitives of places are not stored: they read back as -1.
 std::string packed_places(std::vector<ValueAggregate::Place> places);
 // The inverse. Throws std::runtime_error for anything else, and for places beyond the largest
 // target.
 std::vector<ValueAggregate::Place> to_places(std::string_view text);
+
+// The bytes of a results file: lines of text in one frame of Zstandard (RFC 8878), with a checksum
+// at its end. `zstdcat` shows them.
+//
+// A window of megabytes makes results small: neighbouring cases of a sweep are nearly alike, and so
+// are the answers of two renderers to one case. With a fixed level and one thread, the same lines
+// give the same bytes.
+
+// Packs text into a stream, piece by piece.
+class TextPacker {
+ public:
+  // `out` must live as long; the caller checks its state afterwards. Throws std::runtime_error
+  // where there is no memory.
+  explicit TextPacker(std::ostream& out);
+  ~TextPacker();
+
+  void add(std::string_view text);
+  // Call once, after the last piece.
+  void finish();
+
+ private:
+  void pack(std::string_view text, bool is_last);
+
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// Reads lines, packed or not, one after the other.
+class LineReader {
+ public:
+  // `in` must live as long.
+  explicit LineReader(std::istream& in);
+  ~LineReader();
+
+  // The next line, without its end; false behind the last one. What follows the last line break, if
+  // anything, counts as a line. Throws std::runtime_error for bytes that are damaged, and for a
+  // line longer than `kLongestLine`.
+  bool next(std::string& line);
+
+  // After the last line: true if the packed bytes were cut off. Always false for plain lines.
+  bool is_cut() const;
+
+  // Much longer than any line of ours. Without a limit a file of some megabytes could take all
+  // memory.
+  static constexpr std::size_t kLongestLine = std::size_t{1} << 28;
+
+ private:
+  bool fill();
+
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace edgecase

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Results: everything that one run found, in memory. results/results_json.h writes it; reports draw
-// it. Nothing here is computed: src/diff fills verdicts, results/known_faults.h what is known.
+// Results: everything that one run found, in memory. src/diff fills in verdicts, results/standing.h
+// the standing of answers; results/results_json.h writes the file, and reports show it.
 #pragma once
 
 #include <cstddef>
@@ -23,11 +23,6 @@
 
 namespace edgecase {
 
-// "opengl" or "none", as policy files say it.
-constexpr const char* name_of(Latitude latitude) {
-  return latitude == Latitude::none ? "none" : "opengl";
-}
-
 // Which share of a run's cases results hold.
 struct ShareOfRun {
   int index = 0;  // 0 to count - 1
@@ -37,7 +32,8 @@ struct ShareOfRun {
   friend bool operator==(const ShareOfRun&, const ShareOfRun&) = default;
 };
 
-// How a known fault stands to what its file says of the release (KnownFault::cases_on).
+// The number of cases of a known fault against its file's count for the release
+// (KnownFault::cases_on).
 enum class FaultState {
   known,      // as many cases as the file says, or it says nothing and the suite was not run whole
   grown,      // more cases: red
@@ -54,14 +50,14 @@ inline constexpr auto kNames<FaultState> =
                                       {FaultState::fixed, "fixed"},
                                       {FaultState::uncounted, "uncounted"}});
 
-// What a run shows of one known fault of a renderer's driver.
+// The occurrence of one known fault of a renderer's driver in a run.
 struct FaultSeen {
   std::string renderer;  // name
   std::string id;
   std::string reason;
   std::string link;                   // or empty
-  std::size_t cases = 0;              // of the results, for which it accounts at least in part
-  std::optional<std::size_t> before;  // the file's count of this release, where it has one
+  std::size_t cases = 0;              // for which it accounts at least in part
+  std::optional<std::size_t> before;  // the file's count of this release, if it has one
   FaultState state = FaultState::known;
   friend bool operator==(const FaultSeen&, const FaultSeen&) = default;
 };
@@ -74,23 +70,23 @@ struct Results {
   std::vector<RendererInfo> renderers;
   CaseList cases;                       // sorted by id
   std::vector<Diagnostic> diagnostics;  // case files that could not be loaded
-  bool interrupted = false;             // not all that was asked for was done
-  std::size_t left_out = 0;             // cases that are missing therefore
-  // All files of the suite's folder were asked for, and no case of theirs left out on purpose.
+  bool interrupted = false;             // the run ended before all cases were done
+  std::size_t left_out = 0;             // cases that are missing for this reason
+  // All files of the suite's folder were selected, and none of their cases was excluded.
   bool whole_suite = false;
   std::optional<ShareOfRun> shard;  // of a run that was divided among several
-  // By renderer, then in the order of its driver's file. Where results are not whole, only those
-  // that were seen, and none is grown, shrunk or fixed.
+  // By renderer, then in the order of its driver's file. If results are not whole, only faults that
+  // occurred, and none is grown, shrunk or fixed.
   std::vector<FaultSeen> faults;
 };
 
-// Do the results hold every case that the suite has?
+// True if the results hold every case of the suite.
 inline bool is_whole(const Results& results) {
   return results.whole_suite && !results.shard && !results.interrupted &&
          results.diagnostics.empty();
 }
 
-// Answers that are not as expected, flakes included: of all renderers, or of the one at `renderer`.
+// The number of unexpected answers, flakes included, of all renderers or of the one at `renderer`.
 std::size_t count_unexpected(const Results& results);
 std::size_t count_unexpected(const Results& results, std::size_t renderer);
 

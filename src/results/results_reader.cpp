@@ -9,11 +9,10 @@
 #include <utility>
 
 #include "model/threads.h"
-#include "results/case_results_reader.h"
-#include "results/packed_stream.h"
+#include "results/case_results_json.h"
+#include "results/packed_text.h"
 #include "results/results_json.h"
 #include "results/shallow_json.h"
-#include "results/whole_number.h"
 
 namespace edgecase {
 namespace {
@@ -32,14 +31,13 @@ std::vector<Item> to_list(const ReadJson& json, Convert convert) {
 }
 
 FaultSeen to_fault(const ReadJson& json) {
-  FaultSeen seen{
-      json.at("renderer"),
-      json.at("id"),
-      json.at("reason"),
-      json.at("link"),
-      json.at("cases"),
-      std::nullopt,
-      to_enum(json.at("state").get<std::string>(), FaultState::known, FaultState::uncounted)};
+  FaultSeen seen{json.at("renderer"),
+                 json.at("id"),
+                 json.at("reason"),
+                 json.at("link"),
+                 json.at("cases"),
+                 std::nullopt,
+                 to_named<FaultState>(json.at("state"))};
   if (json.contains("before")) seen.before = json.at("before").get<std::size_t>();
   return seen;
 }
@@ -78,8 +76,7 @@ void read_header(const ReadJson& json, Results& results) {
         format, kResultsFormat));
   results.tool = json.at("tool");
   results.policy = json.at("policy");
-  results.latitude =
-      to_enum(json.at("latitude").get<std::string>(), Latitude::opengl, Latitude::none);
+  results.latitude = to_named<Latitude>(json.at("latitude"));
   results.policy_digest = json.at("policy_digest");
   results.whole_suite = json.at("whole_suite");
   if (json.contains("shard")) results.shard = to_shard(json.at("shard"));

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "model/threads.h"
-#include "results/case_results_writer.h"
+#include "results/case_results_json.h"
 #include "results/clusters.h"
-#include "results/packed_stream.h"
+#include "results/packed_text.h"
 #include "results/results_json.h"
 
 namespace edgecase {
@@ -68,7 +68,7 @@ Json summary_json(const Results& results) {
   return summary;
 }
 
-// What a cluster does not have is left out.
+// Members that a cluster does not have are left out.
 Json cluster_json(const Cluster& cluster) {
   Json object = Json::object();
   const auto add = [&object](const char* name, const std::string& text) {
@@ -103,14 +103,14 @@ std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// Some cases, each on a line of its own, and before it the head that no line before has.
+// Some cases, each on its own line, after its head if that is new.
 struct Part {
   std::vector<CaseResults> cases;
   std::vector<std::size_t> heads;  // by case
   std::size_t first_new = 0;       // head
 };
 
-// What cases of one file mostly share, told apart.
+// The fields that cases of one file mostly share, as a key.
 std::string head_of(const CaseResults& one) {
   std::string text;
   append_head(one, 0, text);

@@ -3,12 +3,19 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
+#include <cstddef>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 
+#include "model/rendering.h"
+#include "model/scene.h"
+#include "results/findings_json.h"
 #include "results/packed_text.h"
 #include "results/shallow_json.h"
-#include "results/whole_number.h"
 
 namespace edgecase {
 namespace {
@@ -48,7 +55,7 @@ SampleImage to_head(const ReadJson& json) {
   return image;
 }
 
-// The packed words of a member; none where there is no such member.
+// The packed words of a member; none if there is no such member.
 std::vector<std::uint32_t> to_member(const ReadJson& json, const char* member, std::size_t size) {
   if (!json.contains(member)) return {};
   return to_words(to_text(json.at(member)), size);
@@ -112,6 +119,129 @@ SampleImage to_samples(const ReadJson& json, int width, int height, const Sample
   image.coverage = read("coverage", area, exact.coverage->words());
   image.share_with(exact);
   return image;
+}
+
+namespace {
+
+using Reported = Result::ReportedFragment;
+
+constexpr std::size_t kMostFragments = std::size_t{1} << 24;  // of one list
+
+// The number with the fewest digits that identify a float.
+double shortest(float value) {
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+  double read = 0;
+  std::from_chars(digits, end, read);
+  return read;
+}
+
+bool is_finite_float(double value) {
+  return std::isfinite(value) && std::abs(value) < 3e38;
+}
+
+void write_value(JsonWriter& json, double value) {
+  if (!is_finite_float(value)) return json.value(value);
+  const auto narrow = static_cast<float>(value);
+  if (bit_pattern(narrow) == bit_pattern(value)) return json.value(shortest(narrow));
+  if (shortest(narrow) != value) return json.value(value);
+  json.value(fmt::format("{}", value));
+}
+
+double to_value(const ReadJson& json) {
+  if (json.is_number()) {
+    const double value = json.get<double>();
+    const bool is_float = is_finite_float(value) && shortest(static_cast<float>(value)) == value;
+    return is_float ? static_cast<float>(value) : value;
+  }
+  const std::string_view text = to_text(json);
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  const bool is_finite = read.ec == std::errc{} && read.ptr == end && std::isfinite(value);
+  return is_finite ? value : to_number(json);
+}
+
+bool are_alike(const Reported& a, const Reported& b) {
+  const Fragment& f = a.fragment;
+  const Fragment& g = b.fragment;
+  return a.pass == b.pass && f.y == g.y && f.primitive == g.primitive && f.coverage == g.coverage &&
+         f.has_depth == g.has_depth && f.has_color == g.has_color && have_equal_values(f, g);
+}
+
+// The number of equal neighbours in a row, from the first one on.
+std::size_t length_of_run(std::span<const Reported> fragments) {
+  std::size_t count = 1;
+  while (count < fragments.size() && count < kMaxTargetSize &&
+         are_alike(fragments[0], fragments[count]) &&
+         fragments[count].fragment.x == fragments[0].fragment.x + static_cast<int>(count))
+    ++count;
+  return count;
+}
+
+void write_run(JsonWriter& json, const Reported& reported, std::size_t count) {
+  const Fragment& f = reported.fragment;
+  json.list([&] {
+    count > 1 ? json.array(f.x, count) : json.value(f.x);
+    json.value(f.y);
+    json.value(f.primitive);
+    json.value(f.coverage);
+    f.has_depth ? write_value(json, f.depth) : json.value(nullptr);
+    f.has_color ? json.list(f.color, write_value) : json.value(nullptr);
+    if (reported.pass >= 0) json.value(reported.pass);
+  });
+}
+
+Reported to_reported(const ReadJson& json) {
+  Reported reported;
+  Fragment& f = reported.fragment;
+  f.x = WholeNumber(json.at(0).is_array() ? json.at(0).at(0) : json.at(0));
+  f.y = WholeNumber(json.at(1));
+  f.primitive = WholeNumber(json.at(2));
+  f.coverage = WholeNumber(json.at(3));
+  f.has_depth = !json.at(4).is_null();
+  f.has_color = !json.at(5).is_null();
+  if (f.has_depth) f.depth = to_value(json.at(4));
+  for (std::size_t i = 0; f.has_color && i < f.color.size(); ++i)
+    f.color[i] = to_value(json.at(5).at(i));
+  if (json.size() > 6) reported.pass = WholeNumber(json.at(6));
+  return reported;
+}
+
+int count_of(const ReadJson& json) {
+  if (!json.at(0).is_array()) return 1;
+  const int count = WholeNumber(json.at(0).at(1));
+  if (count < 1 || count > kMaxTargetSize)
+    throw std::runtime_error(fmt::format("no row has {} fragments that are alike", count));
+  return count;
+}
+
+}  // namespace
+
+void write_fragments(JsonWriter& json, const std::vector<Reported>& fragments) {
+  json.list([&] {
+    for (std::span<const Reported> rest = fragments; !rest.empty();) {
+      const std::size_t count = length_of_run(rest);
+      write_run(json, rest[0], count);
+      rest = rest.subspan(count);
+    }
+  });
+}
+
+std::vector<Reported> to_fragments(const ReadJson& json) {
+  if (!json.is_array()) throw std::runtime_error("a list is missing");
+  std::vector<Reported> fragments;
+  for (const ReadJson& item : json) {
+    Reported reported = to_reported(item);
+    for (int left = count_of(item); left > 0; --left) {
+      if (fragments.size() == kMostFragments || reported.fragment.x > kMaxTargetSize)
+        throw std::runtime_error("there are more fragments than there can be");
+      fragments.push_back(reported);
+      ++reported.fragment.x;
+    }
+  }
+  fragments.shrink_to_fit();  // they are kept
+  return fragments;
 }
 
 }  // namespace edgecase

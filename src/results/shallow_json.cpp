@@ -20,8 +20,8 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-// The most arrays and objects of a text that are open at once. Of text that is no JSON, at least
-// as many as the parser opens before it finds out.
+// The largest number of open arrays and objects in a text. For text that is no JSON, at least as
+// many as the parser opens before it notices.
 std::size_t levels_of(std::string_view text) {
   std::size_t open = 0;
   std::size_t most = 0;
@@ -39,7 +39,7 @@ std::size_t levels_of(std::string_view text) {
 }
 
 void check_shallow(std::string_view text) {
-  // The parser would take it for the end of the text.
+  // The parser would stop at a NUL.
   if (const auto nul = text.find('\0'); nul != text.npos)
     throw std::runtime_error(fmt::format("byte {} is NUL, which no JSON holds", nul));
   if (levels_of(text) > kMostLevels)
@@ -63,11 +63,39 @@ std::string_view to_text(const ReadJson& json) {
   return json.get_ref<const ReadText&>();
 }
 
+void refuse_name(const std::string& name) {
+  throw std::runtime_error(fmt::format("\"{}\" is not known here", name));
+}
+
+std::string name_in(const ReadJson& json) {
+  return json.get<std::string>();
+}
+
 std::string fault_of(const std::exception& error) {
   constexpr std::string_view kTag = "[json.exception.";
   const std::string_view text = error.what();
   const std::size_t end = text.starts_with(kTag) ? text.find("] ") : text.npos;
   return std::string(end == text.npos ? text : text.substr(end + 2));
+}
+
+std::optional<std::uint64_t> WholeNumber::natural() const {
+  if (json_.is_number_unsigned()) return json_.get<std::uint64_t>();
+  // The library keeps what a program puts in as signed, and what it parses as unsigned.
+  if (json_.is_number_integer() && json_.get<std::int64_t>() >= 0)
+    return static_cast<std::uint64_t>(json_.get<std::int64_t>());
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> WholeNumber::negative() const {
+  if (json_.is_number_unsigned() || !json_.is_number_integer()) return std::nullopt;
+  const auto number = json_.get<std::int64_t>();
+  return number < 0 ? std::optional(number) : std::nullopt;
+}
+
+void WholeNumber::refuse() const {
+  const std::string text(json_.is_structured() ? ReadText(json_.type_name()) : json_.dump());
+  constexpr std::size_t kMost = 60;  // characters that are quoted
+  throw std::runtime_error(fmt::format("{} is no whole number in range", text.substr(0, kMost)));
 }
 
 }  // namespace edgecase

@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: MIT
 //
-// JSON that others wrote, of no more levels than our own files have.
+// Reads JSON from foreign files, with a limit on its nesting.
 //
-// The library calls itself for what a value holds where it copies or prints one. Of a file of
-// nothing but brackets that would take more stack than there is.
+// The library copies and prints values recursively, so a file of nothing but brackets would
+// overflow the stack.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "model/names.h"
 
 namespace edgecase {
 
-// JSON of a type that nobody else has, read several times as fast: its functions, those of its
-// texts too, are compiled in this folder alone. Of the usual types, the command's own sources,
-// which are not optimized, have instances, and a linker takes any.
+// A JSON type of this folder only, which is read several times as fast: its functions, and those of
+// its texts, are compiled here with optimization. The usual types are also compiled in the
+// command's own sources, which are not optimized, and the linker may take those instances.
 template <class Value>
 struct ReadAllocator : std::allocator<Value> {
   ReadAllocator() = default;
@@ -40,8 +46,44 @@ ReadJson parse_line(std::string_view text);
 // A string's text. Throws std::runtime_error for any other value.
 std::string_view to_text(const ReadJson& json);
 
-// What an exception says, for people: the JSON library's tag in brackets, which stands before its
-// sentences, is left out.
+// The value with this name. Throws std::runtime_error if there is none, and what the library throws
+// for JSON that is no text.
+[[noreturn]] void refuse_name(const std::string& name);
+std::string name_in(const ReadJson& json);
+template <HasNames Enum>
+Enum to_named(const ReadJson& json) {
+  Enum value{};
+  const std::string name = name_in(json);
+  if (!parse_name(name, value)) refuse_name(name);
+  return value;
+}
+
+// An exception's sentence, without the tag in brackets that the JSON library puts before it.
 std::string fault_of(const std::exception& error);
+
+// Integers of a JSON text. The library converts any number to any integer: 1.5 to 1, -1 to a count
+// of 2^64 - 1, and 1e300 to nothing that C++ defines.
+
+// A JSON value that converts to the integer to which it is assigned. Throws std::runtime_error if
+// it is no integer, was not written as one, or is out of the type's range.
+class WholeNumber {
+ public:
+  explicit WholeNumber(const ReadJson& json) : json_(json) {}
+
+  template <std::integral Integer>
+  requires(!std::same_as<Integer, bool>) operator Integer()
+      const {  // NOLINT(google-explicit-constructor)
+    if (const auto n = natural(); n && std::in_range<Integer>(*n)) return static_cast<Integer>(*n);
+    if (const auto n = negative(); n && std::in_range<Integer>(*n)) return static_cast<Integer>(*n);
+    refuse();
+  }
+
+ private:
+  std::optional<std::uint64_t> natural() const;  // 0 and more
+  std::optional<std::int64_t> negative() const;  // below 0
+  [[noreturn]] void refuse() const;
+
+  const ReadJson& json_;
+};
 
 }  // namespace edgecase

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bytes that are seldom needed, packed and kept in a file without a name, so that memory does not
+// Keeps bytes that are seldom needed, packed, in a file without a name, so that memory does not
 // grow with them.
 #pragma once
 
@@ -18,8 +18,8 @@ struct ShelfError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Safe to use from several threads. The first megabyte stays in memory; what follows goes to a file
-// in the folder that TMPDIR names, or /tmp, and is gone with the shelf.
+// Safe to use from several threads. The first megabyte stays in memory; the rest goes to a file in
+// the folder that TMPDIR names, or /tmp, which disappears with the shelf.
 class Shelf {
  public:
   struct Place {
@@ -34,7 +34,7 @@ class Shelf {
   // Throws a ShelfError where they cannot be written, and std::runtime_error where they are 2 GiB
   // or more.
   Place put(std::string_view bytes);
-  // What was put there. Throws a ShelfError where it cannot be read.
+  // The stored bytes. Throws a ShelfError if they cannot be read.
   std::string at(const Place& place) const;
 
  private:

@@ -16,27 +16,21 @@ namespace {
 
 using Faults = std::span<const KnownFault* const>;
 
-std::string words_of(const Judgement& answer) {
-  return answer.fingerprint.empty()
-             ? std::string(name_of(answer.verdict))
-             : fmt::format("{} {}", name_of(answer.verdict), answer.fingerprint);
-}
-
-// What of an answer its driver's faults account for.
+// How far a driver's faults account for an answer.
 struct Accounted {
   std::vector<const KnownFault*> by;  // in the file's order
   std::size_t differences = 0;        // that need a fault
   std::size_t open = 0;               // of them, without one
 };
 
-// Is it an answer for which something must account?
+// True if a fault must account for the answer.
 bool is_forbidden(const ResultOutline& answer) {
   if (answer.again) return false;
   if (answer.failure) return answer.failure->kind != FailureKind::unsupported;
   return answer.verdict >= Verdict::contested;
 }
 
-// One fault is enough for a difference, and the first of the file that fits is it.
+// A difference counts for the first fault of the file that fits.
 Accounted account(const CaseResults& one, const Result& result, Faults faults) {
   Accounted accounted;
   const auto take = [&](const auto& difference_fits) {
@@ -64,7 +58,7 @@ void set_standing(ResultOutline& answer, Standing standing, std::string standing
   answer.standing_reason = std::move(standing_reason);
 }
 
-// Of an answer for which something must account.
+// For an answer for which a fault must account.
 void set_by_faults(ResultOutline& answer, const Accounted& accounted) {
   std::vector<std::string> reasons;
   for (const KnownFault* fault : accounted.by) {
@@ -86,7 +80,7 @@ void set_standing(const CaseList& cases, std::size_t index, std::size_t renderer
   if (answer.again)
     return set_standing(answer, Standing::flake,
                         fmt::format("it answered {}, and when asked again {}",
-                                    words_of(judgement_of(answer)), words_of(*answer.again)));
+                                    describe(judgement_of(answer)), describe(*answer.again)));
   if (!is_forbidden(answer))
     return answer.failure ? set_standing(answer, Standing::tolerated, "not supported")
                           : set_standing(answer, Standing::expected, "");
@@ -118,7 +112,7 @@ void add_faults_seen(Faults faults, std::size_t index, Results& results) {
     if (const auto found = fault->cases_on.find(text_of(release)); found != fault->cases_on.end())
       seen.before = found->second;
     if (is_whole(results)) seen.state = state_of(seen);
-    // Through OpenGL ES many cases cannot be asked.
+    // OpenGL ES does not support many cases.
     const bool is_missed =
         seen.cases == 0 && (!is_whole(results) || (release.is_es && !seen.before));
     if (!is_missed) results.faults.push_back(std::move(seen));
@@ -126,6 +120,12 @@ void add_faults_seen(Faults faults, std::size_t index, Results& results) {
 }
 
 }  // namespace
+
+std::string describe(const Judgement& answer) {
+  return answer.fingerprint.empty()
+             ? std::string(name_of(answer.verdict))
+             : fmt::format("{} {}", name_of(answer.verdict), answer.fingerprint);
+}
 
 void apply_known_faults(Results& results, std::span<const KnownFaults> known) {
   results.faults.clear();

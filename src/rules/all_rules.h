@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "model/cause.h"
 #include "model/policy.h"
 #include "model/verdict.h"
 #include "rules/rule.h"

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "model/cause.h"
 #include "model/policy.h"
 #include "model/scene.h"
+#include "model/verdict.h"
 #include "rules/coverage/clip_volume.h"
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/point_ownership.h"

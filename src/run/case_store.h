@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The cases of a suite, put aside until they are drawn: at hand are their ids and what they weigh.
+// The cases of a suite, on a shelf (results/shelf.h) until they are drawn. Only their ids and
+// weights stay in memory.
 #pragma once
 
 #include <cstddef>
 #include <initializer_list>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,8 +16,8 @@
 
 namespace edgecase {
 
-// A list of cases, which are values: what is read of it is a copy. Cases share their file's text
-// and their textures with those that are read next to them. Several threads may read.
+// A list of cases as values: reading one makes a copy. It shares its file's text and its textures
+// with the cases that are read next to it. Several threads may read.
 class CaseStore {
  public:
   CaseStore();
@@ -24,8 +26,8 @@ class CaseStore {
 
   std::size_t size() const { return entries_.size(); }
   bool empty() const { return entries_.empty(); }
-  // Const, so that nobody takes it for a place to write to. Throws a ShelfError where what
-  // was put aside cannot be read.
+  // Const, because assigning to the copy would change nothing here. Throws a ShelfError if the
+  // shelf cannot be read.
   const Case whole(std::size_t index) const;                               // NOLINT
   const Case operator[](std::size_t index) const { return whole(index); }  // NOLINT
   auto begin() const { return ListIterator<CaseStore, &CaseStore::whole>(*this, 0); }
@@ -33,10 +35,10 @@ class CaseStore {
   std::vector<Case> all() const;
 
   const std::string& id(std::size_t index) const { return entries_[index].id; }
-  // As many as the target has samples, once a pass where it is supersampled, and 256 beside them.
+  // The number of the target's samples, times the passes of a supersampled one, plus 256.
   std::size_t weight(std::size_t index) const { return entries_[index].weight; }
 
-  // Throws a ShelfError where there is no room to put it aside.
+  // Throws a ShelfError if the shelf has no room.
   void push_back(Case one);
   void sort_by_id();
   // Keeps the cases at `index`, `index` + `count` and so on.
@@ -53,5 +55,22 @@ class CaseStore {
   std::vector<Entry> entries_;
   std::shared_ptr<Shelves> shelves_;
 };
+
+// Cuts a suite's cases into slices of about the same cost; a thread takes one at a time.
+
+// The cases of a slice: [begin, end).
+struct CaseSlice {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+struct SliceLimits {
+  std::size_t weight = 0;                                       // CaseStore::weight, in all
+  std::size_t cases = std::numeric_limits<std::size_t>::max();  // at least 1
+};
+
+// Slices in the order of the cases. Each keeps the limits, or is one case that exceeds them. Empty
+// without cases.
+std::vector<CaseSlice> cut_cases(const CaseStore& cases, SliceLimits most);
 
 }  // namespace edgecase

@@ -22,12 +22,12 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr std::size_t kChunk = std::size_t{1} << 16;
-constexpr std::size_t kMuch = std::size_t{1} << 20;  // bytes that are not held for nothing
+constexpr std::size_t kMuch = std::size_t{1} << 20;  // bytes; more are freed when not in use
 constexpr std::size_t kErrorOutput = 2000;
 // How long a program may take to end after its input was closed, or after it closed its output.
 constexpr milliseconds kFarewell{500};
-// How often a program that neither reads nor writes is looked at: its output may stay open in a
-// grandchild although it is dead. And how often we ask whether to stop.
+// How often a program that neither reads nor writes is checked, because a grandchild may keep its
+// output open after its death; and how often `stop` is checked.
 constexpr milliseconds kGlance{100};
 
 // Blocks SIGPIPE on this thread and swallows the one that a write of ours raised, so that neither
@@ -81,7 +81,7 @@ ChildProcess::~ChildProcess() {
   reap();
 }
 
-// What the program will never read is dropped.
+// Drops the part of the request that the program will never read.
 void ChildProcess::write_some() {
   const SigpipeGuard guard;
   while (!has_written()) {
@@ -140,7 +140,7 @@ bool ChildProcess::take_message(std::string_view& answer) {
   return true;
 }
 
-// What has been taken makes room for what comes; a picture's worth of it is given back.
+// Reuses the room of answered messages; frees it if it is as large as a picture.
 void ChildProcess::make_room() {
   received_.erase(0, taken_);
   taken_ = 0;
@@ -151,8 +151,8 @@ void ChildProcess::forget_message() {
   if (received_.capacity() > kMuch) make_room();
 }
 
-// Waits until something can be read or written, and does so; the status when there is an end of
-// it.
+// Waits until something can be read or written, and does so. Returns a status if the exchange is
+// over.
 std::optional<ChildProcess::Status> ChildProcess::turn(Clock::time_point deadline,
                                                        const std::atomic<bool>* stop) {
   if (stop != nullptr && stop->load()) return Status::stopped;
@@ -172,8 +172,8 @@ std::optional<ChildProcess::Status> ChildProcess::turn(Clock::time_point deadlin
   return std::nullopt;
 }
 
-// Its last words may be an answer, but nobody is left for the next scene; what it wrote to standard
-// error says why.
+// The program's last output may be an answer, but there is no process for the next scene. Its
+// standard error says why.
 ChildProcess::Status ChildProcess::end(bool answered) {
   wait_for_end(kFarewell);
   return answered ? Status::answered : Status::ended;
@@ -261,7 +261,7 @@ bool ChildProcess::wait_for_end(milliseconds patience) {
   milliseconds nap{1};
   while (!has_ended()) {
     if (Clock::now() >= deadline) return false;
-    // Its farewell may be longer than the pipe.
+    // Its last output may be longer than the pipe.
     drain_errors();
     std::this_thread::sleep_for(nap);
     nap = std::min(nap * 2, milliseconds(20));

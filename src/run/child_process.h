@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// ChildProcess: a program that answers lines with lines, held at arm's length. Or messages with
-// messages: bytes, with their number before them as eight bytes of this machine.
+// ChildProcess: a program that answers lines with lines, or messages with messages. A message is
+// its number of bytes (eight bytes, in the byte order of this machine) and the bytes.
 //
 // Writing, reading and draining its standard error happen in one poll loop with a deadline, so that
 // no program can block us: one that does not read, one that answers without end, one that fills its
@@ -9,21 +9,58 @@
 // group dies with this object, and with our process, however that ends. A write to a dead program
 // is an error here, never a SIGPIPE.
 //
-// It knows nothing of scenes and never restarts: that is for process_renderer.h.
+// run/process_renderer.h knows about scenes, and restarts programs.
 #pragma once
+
+#include <sys/types.h>
 
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
-
-#include "run/spawn.h"
+#include <vector>
 
 namespace edgecase {
+
+// A program and its surroundings. spawn() starts it with pipes to its standard streams.
+struct Command {
+  std::vector<std::string> argv;  // argv[0]: a path, or a name that is looked up in PATH
+  std::map<std::string, std::string> environment;  // added to, or replacing, our own
+  std::vector<std::string> unset;                  // removed from our own
+  std::string folder{};                            // that it is started in; empty: our own
+};
+
+// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(other.number_) { other.number_ = -1; }
+  Descriptor& operator=(Descriptor&& other) noexcept;
+  ~Descriptor() { close(); }
+  void close();
+  int number() const { return number_; }
+  bool is_open() const { return number_ >= 0; }
+
+ private:
+  int number_;
+};
+
+// A program that runs. Our ends do not block.
+struct Spawned {
+  pid_t pid = -1;     // and its group; whoever has this reaps it
+  Descriptor input;   // its standard input, where we write
+  Descriptor output;  // its standard output, where we read
+  Descriptor errors;
+  Descriptor life;  // its group is killed when this is closed
+};
+
+// Starts the program, or says why it cannot be started.
+std::variant<Spawned, std::string> spawn(const Command& command);
 
 class ChildProcess {
  public:
@@ -33,7 +70,7 @@ class ChildProcess {
     answered,   // a whole line or message came
     ended,      // the program ended, or closed its output
     timed_out,  // the deadline passed
-    too_long,   // more than max_line_length bytes came without a line break, or are to come
+    too_long,   // more than max_line_length bytes came without a line break, or were announced
     stopped,    // `stop` became true
   };
 
@@ -46,8 +83,8 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   // Writes `request` and a line break, and reads one line into `answer`, without its line break.
-  // `stop`, which may be null, is looked at ten times a second. After anything but `answered` the
-  // program is of no further use.
+  // `stop`, which may be null, is checked ten times a second. After any status but `answered` the
+  // program must not be used any more.
   Status exchange(std::string_view request, std::string& answer, std::size_t max_line_length,
                   Clock::time_point deadline, const std::atomic<bool>* stop = nullptr);
 
@@ -55,26 +92,26 @@ class ChildProcess {
   // their order.
   void send(std::string_view message);
 
-  // Waits for the next message that answers, otherwise as exchange() does. The answer stays where
-  // it is until the next call.
+  // Waits for the next answer, with the statuses of exchange(). `answer` is valid until the next
+  // call.
   Status receive(std::string_view& answer, std::size_t max_length, Clock::time_point deadline,
                  const std::atomic<bool>* stop = nullptr);
-  // Gives back what the last message took, where that is much. It is not to be used any more.
+  // Frees the memory of the last message if it is large. The message must not be used any more.
   void forget_message();
 
-  // What it has written beyond the line that exchange() returned last: "" from a program that
-  // answers one line for each request. Waits for `patience` or until something comes.
+  // The output beyond the line that exchange() returned last: "" if the program answers one line
+  // for each request. Waits for `patience` or until something comes.
   const std::string& unasked_output(std::chrono::milliseconds patience);
 
   // Closes its input and waits: true if the program ended by itself in time. It is reaped in either
-  // case, and what it wrote to its output meanwhile counts as unasked.
+  // case. Its output meanwhile counts as unasked.
   bool finish(std::chrono::milliseconds patience);
 
   // Kills the group and reaps the program. Afterwards the two below are known.
   void kill() { reap(); }
 
   // How the program ended: "exit status 3", "signal 11 (Segmentation fault)"; "" while it runs, and
-  // when it was we who killed it.
+  // after kill().
   std::string how_it_ended() const;
   // Its exit status; -1 when it did not exit by itself.
   int exit_status() const;

@@ -5,14 +5,14 @@
 #include <utility>
 #include <variant>
 
-#include "diff/shown.h"
+#include "diff/compare.h"
 #include "raster/rasterizer.h"
 
 namespace edgecase {
 
 namespace {
 
-// Keeps what was drawn. Most renderers draw what exact draws, and then it is kept once.
+// Keeps the renderer's pictures. Most equal exact's, and are then shared with them.
 void keep_pictures(const Rendering& rendering, const ExactSide& exact, Result& result) {
   result.pixels = rendering.pixels == exact.rendering.pixels
                       ? exact.pixels
@@ -52,7 +52,7 @@ Result CaseComparison::compare_outcome(std::size_t index, const Case& one, Outco
   return result;
 }
 
-// A renderer that has its samples elsewhere is held against exact with samples there.
+// If a renderer has its samples elsewhere, exact is drawn with samples there.
 Result CaseComparison::compare_with_exact(std::size_t index, const Scene& scene,
                                           const Rendering& rendering, const RendererFacts& facts) {
   const auto compare_with = [&](const ExactSide& exact) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Comparing the answers of a run's renderers with the exact side, case by case, whichever thread
-// they come from. Nothing is judged here.
+// Compares the answers of a run's renderers with the exact side, case by case, from any thread.
+// run/judging.h judges them.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace edgecase {
 
-// What exact draws of a case, and the pictures of it that results keep.
+// Exact's rendering of a case, and the pictures of it that results keep.
 struct ExactSide {
   Rendering rendering;
   Shared<PackedWords> pixels;
@@ -32,13 +32,13 @@ class CaseComparison {
  public:
   CaseComparison(std::size_t count, const RunOptions& options);
 
-  // The exact rendering of the scene of the case at `index`, made once by whoever asks first, with
-  // samples where the policy has them when no renderer says where its own lie.
+  // The exact rendering of the scene of the case at `index`, made by the first caller. Samples lie
+  // where the policy has them for renderers that do not report positions.
   const ExactSide& exact(std::size_t index, const Scene& scene);
-  // Nobody asks for the exact rendering of this case any more.
+  // Frees the exact rendering of a case for which exact() is not called any more.
   void forget(std::size_t index) { exact_[index].reset(); }
 
-  // What `info` answered to the case, which is that at `index`, compared.
+  // Compares the answer of renderer `info` to the case, which is the one at `index`.
   Result compare_outcome(std::size_t index, const Case& one, Outcome outcome,
                          const RendererInfo& info);
 
@@ -49,7 +49,7 @@ class CaseComparison {
   const ResolvedPolicy policy_;
   std::map<std::string, ResolvedPolicy> profiles_;
   std::unique_ptr<std::once_flag[]> made_;
-  std::vector<std::unique_ptr<const ExactSide>> exact_;  // of cases that somebody asks for
+  std::vector<std::unique_ptr<const ExactSide>> exact_;  // by case; null: not made, or freed
 };
 
 }  // namespace edgecase

@@ -23,7 +23,7 @@ std::string last_part(const std::string& id) {
   return id.substr(id.rfind('.') + 1);
 }
 
-// Rules that are about the same primitive, or decide the same of another one.
+// Rules about the same primitive, or about the same choice for another one.
 std::set<std::string> rules_near(const std::string& rule) {
   std::set<std::string> near;
   for (const std::string& other : names_of<RuleId>())
@@ -39,7 +39,7 @@ auto size_of(const Case& one) {
   return std::tuple(vertices, one.scene.target.width * one.scene.target.height, one.id);
 }
 
-// Is one of the rules named in the text? Most files of a suite need not be read any further.
+// True if the text names one of the rules. Most files of a suite do not, and are not parsed.
 bool mentions(const std::string& text, const std::set<std::string>& rules) {
   return std::ranges::any_of(rules, [&](const std::string& rule) {
     return text.find('"' + rule + '"') != std::string::npos;

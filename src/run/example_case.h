@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Example cases: the simplest that a suite has about a rule, for people who begin another.
+// Example cases: a suite's simplest case about a rule, as a start for a new one.
 #pragma once
 
 #include <filesystem>
@@ -16,10 +16,9 @@ struct ExampleCase {
   Case example;      // the base case of its file
 };
 
-// The case about `rule` with the fewest vertices, then the smallest target, then the first id.
-// Where the suite has none, of the rules that share the first or the last part of the id
-// ("triangle.snap" of "subpixel.snap"); nothing where there is none of these either. Files with
-// faults are passed over.
+// The case about `rule` with the fewest vertices, then the smallest target, then the first id. If
+// the suite has none, a case about a rule that shares the first or the last part of the id
+// ("triangle.snap" with "subpixel.snap"); nothing if there is none either. Skips files with faults.
 std::optional<ExampleCase> simplest_case(const std::filesystem::path& suite,
                                          const std::string& rule);
 

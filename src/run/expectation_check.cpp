@@ -70,7 +70,7 @@ std::string draw_masks(const std::vector<std::uint32_t>& masks, int width, int h
 
 namespace {
 
-// What is wrong with a drawing of hits; nothing where exact meets it.
+// How a drawing of hits differs from exact; nothing if it does not.
 std::optional<std::string> fault_of_coverage(const std::vector<int>& drawing,
                                              const Rendering& exact) {
   const std::vector<int> hits = hits_of(exact);
@@ -82,7 +82,7 @@ std::optional<std::string> fault_of_coverage(const std::vector<int>& drawing,
                      draw_hits(hits, exact.width, exact.height));
 }
 
-// The same of a drawing of masks. It is of one primitive, which covers no sample twice.
+// The same for a drawing of masks. It shows one primitive, which covers no sample twice.
 std::optional<std::string> fault_of_masks(const std::vector<std::uint32_t>& drawing,
                                           const Rendering& exact) {
   const PixelMasks masks = masks_of(exact);

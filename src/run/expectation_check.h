@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The author's hand-drawn truth against the exact side.
+// Checks an author's hand-drawn expectations against the exact side.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ namespace edgecase {
 // '9', '+' more.
 std::string draw_hits(const std::vector<int>& hits, int width, int height);
 
-// Hits per pixel of a rendering that counts them, row by row from the bottom: of each of its
-// samples, in all passes of a supersampled one.
+// Hits per pixel of a rendering that counts them, row by row from the bottom: the sum over all
+// samples and passes.
 std::vector<int> hits_of(const Rendering& rendering);
 
-// Which samples of each pixel are covered, row by row from the bottom: the union of its fragments'
-// masks. `doubly`: those that two fragments cover.
+// The covered samples of each pixel, row by row from the bottom: the union of its fragments' masks.
+// `doubly`: samples that two fragments cover.
 struct PixelMasks {
   std::vector<std::uint32_t> covered;
   std::vector<std::uint32_t> doubly;
@@ -32,8 +32,8 @@ PixelMasks masks_of(const Rendering& rendering);
 // '.' for none.
 std::string draw_masks(const std::vector<std::uint32_t>& masks, int width, int height);
 
-// For each drawing made for `policy` that the exact rendering does not meet: where it stands, the
-// first pixel that differs, and what exact draws.
+// For each drawing made for `policy` that differs from the exact rendering: its place in the file,
+// the first pixel that differs, and exact's drawing.
 std::vector<std::string> unmet_drawings(const Case& one, const std::string& policy,
                                         const Rendering& exact);
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "run/judging.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
+
+#include "diff/coverage/legality.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -36,13 +40,30 @@ void judge_all(Results& results) {
       judge({&only, 1}, results.latitude, readings.at({r, one.surface}));
       results.cases.answer(i, r) = *only;
     }
-    // Of what agrees the outline has all that judging changes.
+    // If everything agrees, judging changes only the outline.
     if (differs) results.cases.replace(i, one);
   }
 }
 
 bool is_of_judging(const std::string& trait) {
   return trait.starts_with(kReading);
+}
+
+bool is_surely_unexpected(const Case& one, const Result& result, Latitude latitude,
+                          std::span<const KnownFault* const> faults) {
+  const std::string surface = name_of(one.scene.target.surface);
+  const auto is_known = [&](const auto&... what) {
+    return std::ranges::any_of(faults, [&](const KnownFault* fault) {
+      return accounts_for(*fault, one.id, surface, what...);
+    });
+  };
+  if (result.failure)
+    return result.failure->kind != FailureKind::unsupported && !is_known(*result.failure);
+  if (latitude == Latitude::none) return !result.disagreements.empty() || !result.values.empty();
+  return std::ranges::any_of(result.disagreements, [&](const Disagreement& d) {
+    return !is_legal(d) && !is_about_a_line(d) && legality_against(d.ruling) == Legality::illegal &&
+           !is_known(result, d);
+  });
 }
 
 }  // namespace edgecase

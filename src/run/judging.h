@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Judging a run's results: one judgement for each renderer and surface, since what is read in one
-// way is what is drawn in one way. A run is judged so when it ends, and again when its shards are
-// merged: a shard alone may read its lines otherwise than the whole.
+// Judges a run's results, separately for each renderer and surface, because a renderer draws lines
+// in one way on a surface. A run is judged when it ends, and again when shards are merged: a shard
+// alone may read its lines under another snap than the whole run.
 #pragma once
 
 #include <cstddef>
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "diff/judge.h"
+#include "model/case.h"
+#include "model/policy.h"
+#include "results/known_faults.h"
 #include "results/results.h"
 
 namespace edgecase {
@@ -18,14 +22,26 @@ namespace edgecase {
 using ReadingKey = std::pair<std::size_t, std::string>;  // index of the renderer, surface
 using RunReadings = std::map<ReadingKey, RunReading>;
 
-// How each renderer's answers on each surface are read.
+// The reading of each renderer's answers on each surface.
 RunReadings read_all(const CaseList& cases);
 
-// Fills what judge() fills of all results, by results.latitude, and the renderers' traits that say
-// how lines are read.
+// Calls judge() for all results, with results.latitude, and sets the renderers' traits that say how
+// lines are read.
 void judge_all(Results& results);
 
-// Is it a trait that judging makes, rather than the renderer?
+// True if judging sets the trait, and not the renderer.
 bool is_of_judging(const std::string& trait);
+
+// Early judgement: a verdict on one answer before the run ends.
+//
+// Verdicts depend on the whole run (diff/judge.h): the reading of lines decides whether a line is
+// legal. Two things do not depend on it: illegal differences of other primitives, and failures. A
+// run that ends after a number of unexpected cases counts the cases that are unexpected for these
+// reasons; others are found at its end.
+
+// True if the answer, compared and not yet judged, is unexpected under every reading of the run.
+// `faults`: the known faults of the renderer's release.
+bool is_surely_unexpected(const Case& one, const Result& result, Latitude latitude,
+                          std::span<const KnownFault* const> faults);
 
 }  // namespace edgecase

@@ -5,20 +5,94 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
+#include <vector>
 
+#include "model/text.h"
 #include "run/judging.h"
-#include "run/run_difference.h"
 
 namespace edgecase {
 namespace {
 
-// Why parts cannot be merged; nothing where they can.
+using Difference = std::optional<RunDifference>;
+
+std::string describe(const Results& results) {
+  return fmt::format("policy {}{}", results.policy,
+                     results.latitude == Latitude::none ? " without latitude" : "");
+}
+
+std::string renderer_names(const Results& results) {
+  std::vector<std::string> names;
+  for (const RendererInfo& info : results.renderers) names.push_back(info.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// The renderer's own statements, without the traits that judging sets.
+auto claims_of(const RendererInfo& info) {
+  auto traits = info.traits;
+  std::erase_if(traits, [](const auto& trait) { return is_of_judging(trait.first); });
+  return std::tuple(info.vendor, info.version, info.device, info.subpixel_bits, std::move(traits));
+}
+
+std::string describe(const RendererInfo& info) {
+  std::string text = fmt::format("{}, version {}, vendor {}, {} subpixel bits", info.device,
+                                 info.version, info.vendor, info.subpixel_bits);
+  for (const auto& [name, value] : info.traits)
+    if (!is_of_judging(name)) text += fmt::format(", {}: {}", name, value);
+  return text;
+}
+
+Difference difference_of_renderers(const MergePart& a, const MergePart& b) {
+  if (renderer_names(a.results) != renderer_names(b.results))
+    return RunDifference{fmt::format("{} holds results of {}, {} of {}", a.name,
+                                     renderer_names(a.results), b.name, renderer_names(b.results)),
+                         "merge shards of one run"};
+  for (std::size_t r = 0; r < a.results.renderers.size(); ++r) {
+    const RendererInfo& one = a.results.renderers[r];
+    const RendererInfo& other = b.results.renderers[r];
+    if (has_never_answered(one) || has_never_answered(other) || claims_of(one) == claims_of(other))
+      continue;
+    return RunDifference{
+        fmt::format("the renderer {} is not the same: in {} it is {}; in {} it is {}", one.name,
+                    a.name, describe(one), b.name, describe(other)),
+        "run all shards against one version"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool has_never_answered(const RendererInfo& renderer) {
+  return renderer.device.empty();
+}
+
+Difference difference_of_runs(const MergePart& a, const MergePart& b) {
+  if (a.results.tool != b.results.tool)
+    return RunDifference{fmt::format("{} was written by {}, {} by {}", a.name, a.results.tool,
+                                     b.name, b.results.tool),
+                         "run all shards with one version"};
+  if (describe(a.results) != describe(b.results))
+    return RunDifference{fmt::format("{} was judged by {}, {} by {}", a.name, describe(a.results),
+                                     b.name, describe(b.results)),
+                         "run all shards with one policy"};
+  if (a.results.policy_digest != b.results.policy_digest)
+    return RunDifference{
+        fmt::format("{} and {} were judged by policies or profiles that differ, though their names "
+                    "do not",
+                    a.name, b.name),
+        "run all shards with the same files"};
+  return difference_of_renderers(a, b);
+}
+
+namespace {
+
+// The reason why parts cannot be merged; nothing if they can.
 using Fault = std::optional<std::string>;
 
 Fault compare_shares(const MergePart& a, const MergePart& b) {
@@ -72,7 +146,7 @@ Fault find_conflicting_cases(const std::vector<MergePart>& parts) {
   return std::nullopt;
 }
 
-// A share that has no case is not missed.
+// A share without cases is not missing.
 Fault find_missing_shares(const std::vector<MergePart>& parts) {
   const auto& share = parts.front().results.shard;
   if (!share) return std::nullopt;
@@ -98,7 +172,7 @@ Fault find_fault(const std::vector<MergePart>& parts, bool partial) {
   return partial ? std::nullopt : find_missing_shares(parts);
 }
 
-// Every shard loads all case files, and so finds all that is wrong with them.
+// Every shard loads all case files, so all have the same diagnostics.
 void unite(const std::vector<Diagnostic>& from, std::vector<Diagnostic>& to) {
   const auto parts_of = [](const Diagnostic& d) {
     return std::tie(d.file, d.line, d.pointer, d.message, d.remedy);
@@ -133,6 +207,72 @@ std::variant<Results, std::string> merge_results(std::vector<MergePart> parts, b
   }
   judge_all(whole);
   return whole;
+}
+
+namespace {
+
+bool could_be_had(const CaseOutline& one) {
+  return std::ranges::none_of(one.answers, [](const ResultOutline& answer) {
+    return answer.failure && answer.failure->kind == FailureKind::unavailable;
+  });
+}
+
+// True if the case may depend on further files: it has the key of a mesh or of an image.
+bool may_need_more_files(const std::string& source) {
+  return source.find("\"mesh\"") != std::string::npos ||
+         source.find("\"file\"") != std::string::npos;
+}
+
+bool is_still_right(const CaseResults& earlier, const Case& now) {
+  return earlier.file_digest == digest_of_text(*now.source) && !may_need_more_files(*now.source);
+}
+
+// Refuses cases that would be lost. Ids of files that are gone or have changed may be dropped.
+std::variant<Resumption, std::string> checked(Resumption resumed, const std::string& name,
+                                              const CaseList& earlier,
+                                              const std::map<std::string, std::size_t>& left) {
+  std::set<std::string> changed;
+  for (const Diagnostic& diagnostic : resumed.rest.diagnostics) changed.insert(diagnostic.file);
+  for (const Case& one : resumed.rest.cases) changed.insert(one.file.generic_string());
+  for (const auto& [id, index] : left) {
+    const std::string file = earlier[index].file;
+    std::error_code error;
+    if (!changed.contains(file) && std::filesystem::exists(file, error))
+      return fmt::format(
+          "{} holds the case {}, which is not selected now and would be lost; name the paths and "
+          "filters of that run, or run without --resume",
+          name, id);
+  }
+  return resumed;
+}
+
+}  // namespace
+
+std::variant<Resumption, std::string> resume(const Suite& suite, MergePart earlier) {
+  const CaseList cases = std::exchange(earlier.results.cases, {});
+  std::map<std::string, std::size_t> known;  // index by id
+  for (const CaseOutline& one : cases.outlines()) known.emplace(one.id, known.size());
+  Resumption resumed;
+  Results& held = resumed.held = std::move(earlier.results);
+  held.diagnostics.clear();
+  held.faults.clear();
+  held.shard.reset();
+  held.interrupted = false;
+  held.left_out = 0;
+  resumed.rest.diagnostics = suite.diagnostics;
+  for (const Case& now : suite.cases) {
+    const auto found = known.find(now.id);
+    bool is_kept = false;
+    if (found != known.end() && could_be_had(cases.outline(found->second))) {
+      CaseResults one = cases[found->second];
+      is_kept = is_still_right(one, now);
+      one.file = now.file.generic_string();
+      if (is_kept) held.cases.push_back(one);
+    }
+    if (!is_kept) resumed.rest.cases.push_back(now);
+    if (found != known.end()) known.erase(found);
+  }
+  return checked(std::move(resumed), earlier.name, cases, known);
 }
 
 }  // namespace edgecase

@@ -15,12 +15,11 @@ namespace edgecase {
 namespace {
 
 constexpr int kMostSilentDeaths = 3;
-// The exit status by which a program says that it cannot work here at all.
+// The exit status of a program that cannot work on this machine.
 constexpr int kUnavailableStatus = 3;
 constexpr std::size_t kLongestQuote = 300;
 constexpr std::size_t kLongestRefusal = 1000;
-// Scenes that a worker is asked for before it answers the first of them, and their bytes: as many
-// as fit into a pipe.
+// The most requests that a worker has at a time, and the most bytes of them: what fits into a pipe.
 constexpr std::size_t kMostAsked = 16;
 constexpr std::size_t kMostAskedBytes = std::size_t{1} << 19;
 
@@ -33,8 +32,8 @@ Scene empty_scene() {
   return scene;
 }
 
-// Room for a thousand fragments in each pixel of a small target, for several in each of a large
-// one; and for the chains of textures whose levels the renderer generates, 32 bytes a number.
+// Room for a thousand fragments in each pixel of a small target or several in each of a large one,
+// and for generated mip chains, 32 bytes a number.
 std::size_t longest_answer(const Scene& scene) {
   constexpr std::size_t kBase = std::size_t{1} << 26;
   constexpr std::size_t kPerSample = 1024;
@@ -49,13 +48,13 @@ std::size_t longest_answer(const Scene& scene) {
   return std::min(kMaxLineLength, kBase + chains + kPerSample * samples);
 }
 
-// Runs of pixels cannot tell which samples are covered: several samples take whole answers.
+// Runs of pixels do not say which samples are covered, so multisampled targets need whole answers.
 bool takes_coverage(const Task& task) {
   return task.coverage_only && task.scene->target.samples == 1;
 }
 
-// The end of a text as one line of printable characters. A program may say anything, and a cut may
-// fall into a character: what is no UTF-8 would make files that hold these words unreadable.
+// The end of a text as one line of printable characters. Programs may write any bytes, and the cut
+// may split a character; invalid UTF-8 would make files with this text unreadable.
 std::string last_words(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
   const bool is_cut = text.size() > kLongestQuote;
@@ -80,7 +79,7 @@ ProcessRenderer::ProcessRenderer(ProcessSpec spec) : spec_(std::move(spec)) {
 }
 
 void ProcessRenderer::render(std::span<const Task> tasks, const OutcomeSink& sink) {
-  // A sink that threw left scenes unanswered.
+  // If a sink threw, some scenes are unanswered.
   if (!asked_.empty()) end_child();
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     Outcome outcome = render_one(tasks[i]);
@@ -89,8 +88,8 @@ void ProcessRenderer::render(std::span<const Task> tasks, const OutcomeSink& sin
   }
 }
 
-// Has the child draw the next scenes while the last answer is looked at. Several at once: each time
-// that a child without work is woken costs as much as comparing some hundred fragments.
+// Lets the child draw the next scenes while the last answer is compared. Several at once, because
+// waking an idle child costs as much as comparing some hundred fragments.
 void ProcessRenderer::send_ahead(std::span<const Task> tasks) {
   if (!spec_.takes_messages || child_ == nullptr || !child_answered_) return;
   if (asked_.size() > kMostAsked / 2) return;
@@ -117,7 +116,7 @@ Outcome ProcessRenderer::render_one(const Task& task) {
   if (!unavailable_.empty()) return Failure{FailureKind::unavailable, unavailable_};
   Outcome outcome = attempt(task);
   if (silent_deaths_ < kMostSilentDeaths || ever_answered_) return outcome;
-  // Three scenes in a row may each be fatal to a program that works: ask for next to nothing.
+  // A working program may crash at three scenes in a row, so try the simplest scene.
   if (answers_an_empty_scene()) return outcome;
   if (unavailable_.empty())
     unavailable_ = fmt::format("the program failed {} times without ever answering; lastly, {}",
@@ -147,8 +146,8 @@ Outcome ProcessRenderer::attempt(const Task& task) {
 }
 
 Outcome ProcessRenderer::attempt_line(const Task& task) {
-  // What lies there before the scene is asked for is no answer to it, but a second one to the scene
-  // before. Only a new process is sure to be in step.
+  // Output before the request is a second answer to the previous scene. Only a new process is
+  // surely in step.
   if (child_ != nullptr && !child_->unasked_output(std::chrono::milliseconds{0}).empty())
     end_child();
   if (child_ == nullptr && !start()) return Failure{FailureKind::unavailable, unavailable_};
@@ -170,8 +169,8 @@ Outcome ProcessRenderer::attempt_line(const Task& task) {
   return failure;
 }
 
-// A failure is that of the first scene without an answer: the worker draws one after the other, and
-// the next ones are asked for again. Its patience begins when nothing is left to wait for before.
+// A failure belongs to the first scene without an answer, because the worker draws them in order;
+// the next ones are requested again. Its time starts when the previous answer has come.
 Outcome ProcessRenderer::attempt_message(const Task& task) {
   if (child_ == nullptr && !start()) return Failure{FailureKind::unavailable, unavailable_};
   if (asked_.empty()) send(task);
@@ -199,7 +198,7 @@ void ProcessRenderer::note_answer() {
   silent_deaths_ = 0;
 }
 
-// Nobody knows what else is on its way: only a new process is sure to be in step.
+// More output may follow, so only a new process is surely in step.
 Outcome ProcessRenderer::refuse(const std::string& why) {
   child_->kill();
   // It may quote the answer.
@@ -217,7 +216,7 @@ Outcome ProcessRenderer::take(Outcome outcome, std::optional<RendererInfo> claim
   return outcome;
 }
 
-// A program that has shown that it can start is given less time to do so again.
+// A program that has started once gets less time for a restart.
 std::chrono::milliseconds ProcessRenderer::patience() const {
   if (child_answered_) return spec_.timeout;
   return spec_.timeout + (ever_answered_ ? spec_.restart_timeout : spec_.startup_timeout);

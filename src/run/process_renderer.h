@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // ProcessRenderer: a renderer that lives in a process of its own and speaks reference/PROTOCOL.md;
-// or, where it is our own worker, the same in bytes (wire/message.h). A worker is asked for the
-// next few scenes while an answer is looked at, and answers in order; other programs get one scene
-// at a time.
+// our own workers speak the same in bytes (wire/message.h). A worker gets the next few scenes while
+// an answer is compared, and answers in order; other programs get one scene at a time.
 //
-// Whatever the program does costs the scene at hand and no other: a crash, a hang and an answer
-// that is no rendering are Failures, after which the program starts again. A program that cannot be
-// started, says with exit status 3 that it cannot work here, or dies three times without ever
-// answering anything, is unavailable for all scenes, and is not tried again.
+// A crash, a hang or an invalid answer is a Failure of the present scene only; the program is then
+// restarted. A program is unavailable for all scenes, and is not tried again, if it cannot be
+// started, ends with exit status 3 ("cannot work here"), or dies three times without any answer.
 #pragma once
 
 #include <atomic>
@@ -32,13 +30,12 @@ struct ProcessSpec {
   std::chrono::milliseconds timeout{10'000};          // from the request to the whole answer
   std::chrono::milliseconds startup_timeout{30'000};  // added for the very first answer
   std::chrono::milliseconds restart_timeout{5'000};   // added for the first one after a restart
-  // Becomes true when nobody waits for answers any more: the scene at hand then fails as timed out,
-  // and its outcome means nothing. Or null.
+  // Becomes true when answers are not needed any more: the present scene then fails as timed out,
+  // and its outcome must be ignored. Or null.
   const std::atomic<bool>* stop = nullptr;
 };
 
-// How much more time than others the first answer of a renderer has that is given `timeout` for an
-// answer: four times as much, and 5 to 30 seconds.
+// The additional time for a renderer's first answer: four times `timeout`, but 5 to 30 seconds.
 std::chrono::milliseconds startup_patience(std::chrono::milliseconds timeout);
 
 // The argument that makes a worker speak in bytes.
@@ -72,7 +69,7 @@ class ProcessRenderer final : public Renderer {
   ProcessSpec spec_;
   RendererInfo info_;
   std::unique_ptr<ChildProcess> child_;
-  // What the child was asked for and has not answered, in order.
+  // Requests that the child has not answered yet, in order.
   struct Asked {
     const Task* task = nullptr;
     std::uint64_t digest = 0;

@@ -10,13 +10,51 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "model/renderer.h"
+#include "recording/recording.h"
 #include "run/renderers.h"
 #include "run/selection.h"
 
 namespace edgecase {
+
+// RecordingRenderer: `recording:FILE`, a renderer that repeats the recorded answers of another one.
+//
+// It answers only the scenes that were recorded: a case that is not in the file, and one whose
+// scene has changed, are Failures of kind `unavailable`. So a recording makes a machine's answers
+// available on other machines, and never invents any.
+
+bool is_recording(const std::string& renderer);
+
+// The name under which known faults and profiles know a renderer: of a recording that can be read,
+// that of the recorded renderer; otherwise the name itself.
+std::string known_name_of(const std::string& renderer);
+
+// The recording that `renderer` names, or one sentence that says what is wrong with it.
+std::variant<std::unique_ptr<Renderer>, std::string> open_recording(const std::string& renderer);
+
+class RecordingRenderer final : public Renderer {
+ public:
+  // `name` is "recording:FILE".
+  RecordingRenderer(std::string name, std::shared_ptr<const Recording> recording);
+
+  // The recorded renderer's, but for the name.
+  const RendererInfo& info() const override { return info_; }
+  void render(std::span<const Task> tasks, const OutcomeSink& sink) override;
+
+ private:
+  Outcome replay(const Task& task);
+
+  RendererInfo info_;
+  std::shared_ptr<const Recording> recording_;
+  // The block that was read last: cases mostly come in the order in which they are stored.
+  std::size_t block_ = static_cast<std::size_t>(-1);
+  std::vector<std::string> lines_;
+};
 
 struct RecordOptions {
   std::string tool;      // the program that records: "edgecase 0.1.0"

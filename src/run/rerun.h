@@ -9,9 +9,16 @@
 
 #include <cstddef>
 
+#include "results/results.h"
 #include "run/run.h"
+#include "run/selection.h"
 
 namespace edgecase {
+
+// For --last-failed, the cases of earlier results to run once more: those of which any renderer's
+// result is not as expected or whose hand-drawn truth is not met, and the files that could not be
+// loaded, whose cases nobody knows.
+NamedCases unexpected_cases(const Results& results);
 
 // At most so many answers are asked for again, of all renderers together; and of those that did not
 // come in time, each of which may cost its time once more, so many.

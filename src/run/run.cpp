@@ -20,21 +20,20 @@
 #include "model/text.h"
 #include "model/threads.h"
 #include "results/standing.h"
-#include "run/case_slices.h"
+#include "run/case_store.h"
 #include "run/comparing.h"
-#include "run/early_judgement.h"
 #include "run/expectation_check.h"
 #include "run/judging.h"
-#include "run/renderer_names.h"
+#include "run/renderers.h"
 
 namespace edgecase {
 namespace {
 
-// As much as fifty cases of 64x64. Threads end within one slice of each other, and what a thread
-// waits for at the end of each is a small part of it.
+// The weight of fifty cases of 64x64. Threads end within one slice of each other, and the wait at
+// the end of a slice is a small part of it.
 constexpr SliceLimits kSlice{std::size_t{1} << 18, 50};
 
-// A case that weighs as much takes a hundred times as much memory as a small one.
+// A case of this weight takes a hundred times the memory of a small one.
 constexpr std::size_t kLarge = std::size_t{1} << 17;
 
 // Thrown out of a renderer's sink when the run should end.
@@ -59,8 +58,8 @@ void add_policy(const Policy& policy, Digest& digest) {
     add_choices(choices, digest.add(name_of(surface)));
 }
 
-// All that is not the cases' and decides on results. Profiles count under their own names: what a
-// recording has is what its renderer has.
+// Everything besides the cases that decides on results. Profiles count under their own names, so
+// that a recording has that of its renderer.
 std::string digest_of(const Policy& policy, const std::map<std::string, Policy>& profiles) {
   std::map<std::string, const Policy*> by_name;
   for (const auto& [renderer, profile] : profiles) by_name.emplace(profile.name, &profile);
@@ -74,8 +73,8 @@ bool is_large(const CaseStore& cases, const CaseSlice& slice) {
   return slice.end - slice.begin == 1 && cases.weight(slice.begin) >= kLarge;
 }
 
-// All renderers get some slices, as many as there are threads, before any gets the next: few exact
-// renderings wait for the last renderer, and no two threads for the same one.
+// All renderers get as many slices as there are threads before any gets more: then few exact
+// renderings wait for the last renderer, and no two threads wait for the same one.
 std::vector<Share> shares_of(const CaseStore& cases, std::size_t renderers, std::size_t jobs) {
   const std::vector<CaseSlice> slices = cut_cases(cases, kSlice);
   std::vector<Share> shares;
@@ -86,9 +85,9 @@ std::vector<Share> shares_of(const CaseStore& cases, std::size_t renderers, std:
   return shares;
 }
 
-// Hands out shares to threads: in their order to one thread; to several, large ones first, and few
-// at a time, which takes the least memory and lets no large one wait to the end. Safe to use from
-// several threads.
+// Hands out shares to threads: to one thread in order; to several the large ones first, a few at a
+// time, which takes least memory and leaves no large one to the end. Safe to use from several
+// threads.
 class ShareQueue {
  public:
   ShareQueue(std::vector<Share> shares, std::size_t jobs)
@@ -97,14 +96,14 @@ class ShareQueue {
     const auto others = std::stable_partition(shares_.begin(), shares_.end(),
                                               [](const Share& share) { return share.is_large; });
     next_ = large_end_ = static_cast<std::size_t>(others - shares_.begin());
-    // All renderers draw a large case one after the other: what one made of it waits for the last.
+    // All renderers draw a large case one after the other: each answer waits for the last one.
     std::stable_sort(shares_.begin(), others,
                      [](const Share& a, const Share& b) { return a.cases.begin < b.cases.begin; });
   }
 
   std::size_t size() const { return shares_.size(); }
 
-  // Nothing when there is none left that may be begun now; a thread then has no more to do.
+  // Nothing if no share may be begun now; the thread then ends.
   std::optional<Share> take() {
     const std::lock_guard lock(mutex_);
     if (next_large_ < large_end_ && large_ < most_large_) {
@@ -115,12 +114,12 @@ class ShareQueue {
     return shares_[next_++];
   }
 
-  // What was taken is done.
+  // A share that was taken is done.
   void finish(const Share& share) {
     const std::lock_guard lock(mutex_);
     if (!share.is_large) return;
     if (large_end_ > 0) --large_;
-    malloc_trim(0);  // what it took goes back to the system
+    malloc_trim(0);  // its memory goes back to the system
   }
 
   // Nothing is handed out any more.
@@ -196,7 +195,7 @@ class Run {
     return *renderer;
   }
 
-  // What one renderer answered and others did not, when enough cases were unexpected.
+  // The cases that some renderers answered and others did not before enough were unexpected.
   void finish_begun_cases() {
     is_finishing_ = true;
     for (std::size_t r = 0; r < infos_.size() && !stopped(); ++r) {
@@ -213,7 +212,7 @@ class Run {
     }
   }
 
-  // Has some renderer answered it, and others not?
+  // True if some renderers have answered it, and others not.
   bool is_begun(std::size_t index) const {
     return unanswered_[index] > 0 && unanswered_[index] < infos_.size();
   }
@@ -254,7 +253,7 @@ class Run {
     (*options_.durations)[id][options_.renderers[index]] = std::round(took.count() * 1e6) / 1e6;
   }
 
-  // A renderer that never gave an answer knows nothing of itself.
+  // A renderer without any answer has not reported anything.
   void note_info(std::size_t index, RendererInfo info) {
     const std::lock_guard lock(mutex_);
     if (infos_[index].device.empty()) infos_[index] = std::move(info);

@@ -34,7 +34,7 @@ struct RunOptions {
   // Becomes true when the run should end; put it into renderer_options as well, or a renderer that
   // hangs is waited for.
   const std::atomic<bool>* stop = nullptr;
-  // End when so many cases are unexpected however the run is read (run/early_judgement.h), by
+  // End when so many cases are unexpected however the run is read (run/judging.h), by
   // `known`; the cases that some renderer has answered by then are finished. 0: never.
   std::size_t max_unexpected = 0;
   std::vector<KnownFaults> known;

@@ -14,9 +14,38 @@
 #include "model/case.h"
 #include "results/results.h"
 #include "run/case_store.h"
-#include "run/named_cases.h"
 
 namespace edgecase {
+
+// Words that select cases on the command line: paths, ids, and globs of ids.
+//
+// A word that is the path of a file or folder means that. Any other is searched among the ids of a
+// suite: "lines/short" is a folder, "lines/short/ends" a file, "lines/*" all files whose id matches
+// the shell glob. A colon begins the cases of a file: either the rest of an id, as in
+// "lines/ramp:dx=0.5:dy=1", or some parts of ids, each possibly a glob: "lines/ramp:dx=0.5" means
+// all of the file's cases with that dx. "lines/ramp.json:dx=0.5" is the same by path.
+
+// Which cases of a file are meant.
+struct PartPattern {
+  std::string parts;  // "dx=0.5:reverse"
+  std::string word;   // of the command line, for messages
+};
+using PartPatterns = std::vector<PartPattern>;  // one for each time the file was named
+
+struct FoundWords {
+  std::vector<std::filesystem::path> paths;  // files and folders that are there
+  // Of files in `paths` of which not all cases are meant: which are. A case is meant if it matches
+  // one of the patterns.
+  std::map<std::filesystem::path, PartPatterns> parts;
+  std::vector<Diagnostic> diagnostics;  // words that name nothing, with the nearest id
+};
+
+// `suite`: the folder in which ids are looked up; need not exist. Never throws.
+FoundWords find_words(std::span<const std::string> words, const std::filesystem::path& suite);
+
+// Does each part of a pattern, "dx=0.5:*", match some part of the case's id? An empty pattern has
+// one part that matches nothing.
+bool matches_parts(const std::string& pattern, const Case& one);
 
 struct Shard {
   int index = 0;  // 0 to count - 1
@@ -50,7 +79,7 @@ struct Suite {
   std::optional<ShareOfRun> share;  // what `cases` are of all, where a shard was asked for
 };
 
-// What the words of a command line select (run/named_cases.h); ids are those of `suite`.
+// What the words of a command line select (find_words); ids are those of `suite`.
 Selection selection_of(std::span<const std::string> words, const std::filesystem::path& suite);
 
 // Loads what the selection asks for. A file that cannot be loaded is a diagnostic and costs nothing

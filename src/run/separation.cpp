@@ -12,7 +12,7 @@
 namespace edgecase {
 namespace {
 
-// What is drawn of a scene.
+// The coverage and depths of a scene.
 struct Drawn {
   std::vector<SampleCoverage> covered;  // by each primitive
   std::vector<double> depths;           // of samples, where a draw does without GL_MULTISAMPLE

@@ -37,7 +37,7 @@ std::string value_of(const Variable& variable, const char* name) {
 
 using Asked = std::variant<std::optional<Shard>, std::string>;
 
-// The shard that one pair asks for, nothing, or what is wrong with it.
+// The shard that one pair asks for, or nothing, or what is wrong with it.
 Asked shard_of(const Pair& pair, const Variable& variable) {
   const std::string total = value_of(variable, pair.total);
   const std::string index = value_of(variable, pair.index);
@@ -59,7 +59,7 @@ Asked shard_of(const Pair& pair, const Variable& variable) {
   return Shard{*at - pair.first, *count};
 }
 
-std::string words_of(const Pair& pair) {
+std::string variables_of(const Pair& pair) {
   return fmt::format("{} and {}", pair.total, pair.index);
 }
 
@@ -83,10 +83,10 @@ std::variant<ShardChoice, std::string> shard_of_variables(const Variable& variab
   const auto& other = std::get<std::optional<Shard>>(gitlab);
   if (one && other && (one->index != other->index || one->count != other->count))
     return fmt::format("{} ask for shard {}/{}, {} for shard {}/{}; unset one pair, or say --shard",
-                       words_of(kBazel), one->index + 1, one->count, words_of(kGitLab),
+                       variables_of(kBazel), one->index + 1, one->count, variables_of(kGitLab),
                        other->index + 1, other->count);
-  if (one) return ShardChoice{*one, words_of(kBazel)};
-  if (other) return ShardChoice{*other, words_of(kGitLab)};
+  if (one) return ShardChoice{*one, variables_of(kBazel)};
+  if (other) return ShardChoice{*other, variables_of(kGitLab)};
   return ShardChoice{};
 }
 

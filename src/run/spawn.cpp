@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/spawn.h"
+#include "run/child_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

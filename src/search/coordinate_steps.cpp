@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "search/steps.h"
+#include "search/minimize.h"
 
 namespace edgecase {
 

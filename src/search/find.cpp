@@ -16,8 +16,8 @@
 #include "diff/judge.h"
 #include "rules/all_rules.h"
 #include "search/fuzz.h"
+#include "search/minimize.h"
 #include "search/scene_size.h"
-#include "search/steps.h"
 
 namespace edgecase {
 namespace {

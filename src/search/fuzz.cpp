@@ -9,7 +9,6 @@
 #include "diff/compare.h"
 #include "model/threads.h"
 #include "search/ledger.h"
-#include "search/screen.h"
 #include "search/trial.h"
 
 namespace edgecase {

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "search/minimize.h"
 #include "search/scene_size.h"
-#include "search/steps.h"
 
 namespace edgecase {
 namespace {

@@ -13,7 +13,6 @@
 #include "rules/all_rules.h"
 #include "rules/choices.h"
 #include "search/scene_size.h"
-#include "search/steps.h"
 #include "wire/request_line.h"
 
 namespace edgecase {

@@ -15,8 +15,8 @@
 #include "generate/grids.h"
 #include "generate/random_scenes.h"
 #include "profile/clipping/clipping.h"
-#include "profile/textures/texture_scenes.h"
-#include "profile/values/value_scenes.h"
+#include "profile/textures/textures.h"
+#include "profile/values/values.h"
 #include "rules/samples/sample_placement.h"
 
 namespace edgecase {

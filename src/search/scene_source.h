@@ -16,7 +16,7 @@
 #include <variant>
 #include <vector>
 
-#include "generate/random_source.h"
+#include "generate/random_scenes.h"
 #include "model/rule_id.h"
 #include "model/scene.h"
 

@@ -12,7 +12,7 @@
 
 #include "casefile/scene/viewport.h"
 #include "model/scene.h"
-#include "search/steps.h"
+#include "search/minimize.h"
 
 namespace edgecase {
 

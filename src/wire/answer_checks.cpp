@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "wire/sent_fragments.h"
+#include "wire/fragments.h"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "wire/fragments_json.h"
+#include "wire/fragments.h"
 #include "wire/json_values.h"
 #include "wire/rendering_json.h"
 

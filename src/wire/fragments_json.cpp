@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // This is a hot path when a driver is measured over hundreds of thousands of scenes.
-#include "wire/fragments_json.h"
+#include "wire/fragments.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

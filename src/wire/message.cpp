@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "wire/binary.h"
-#include "wire/fragments_json.h"
-#include "wire/sent_fragments.h"
+#include "wire/fragments.h"
 
 namespace edgecase {
 

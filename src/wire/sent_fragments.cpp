@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "wire/sent_fragments.h"
+#include "wire/fragments.h"
 
 #include <fmt/format.h>
 
@@ -14,9 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "model/fragments.h"
+#include "model/rendering.h"
 #include "wire/binary.h"
-#include "wire/fragments_json.h"
 
 namespace edgecase::wire {
 

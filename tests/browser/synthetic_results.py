@@ -14,7 +14,7 @@ SIZE = 16
 
 
 def figure(*marks):
-    """As src/results/figure_json.h has figures, of marks: role, points, closed, label."""
+    """As src/results/findings_json.h has figures, of marks: role, points, closed, label."""
     points = []
     for _, places, *_ in marks:
         points += [place for place in places if place not in points]

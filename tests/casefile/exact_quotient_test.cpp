@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Sums over divisors, rounded once, against rational arithmetic.
-#include "casefile/json/float32.h"
+#include "casefile/json/numbers.h"
 
 #include <gtest/gtest.h>
 

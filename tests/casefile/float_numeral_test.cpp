@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/json/float32.h"
+#include "casefile/json/numbers.h"
 
 #include <gtest/gtest.h>
 

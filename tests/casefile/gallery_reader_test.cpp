@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/gallery_reader.h"
+#include "casefile/policy_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "casefile/case_reader.h"
-#include "casefile/gallery_reader.h"
 #include "casefile/json/schema.h"
+#include "casefile/policy_reader.h"
 #include "casefile/scene/plain_fields.h"
 #include "rules/all_rules.h"
 

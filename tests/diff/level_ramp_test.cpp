@@ -9,7 +9,6 @@
 
 #include "diff/compare.h"
 #include "diff/judge.h"
-#include "diff/shown.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/textures/texture_judging.h"
 #include "tests/raster/texture_scenes.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // Policies and galleries: the same bytes are read as either.
-#include "casefile/gallery_reader.h"
 #include "casefile/policy_reader.h"
 #include "tests/fuzz/target.h"
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "profile/coverage/probes.h"
+#include "profile/coverage/coverage.h"
 #include "rules/coverage/line_joints.h"
 #include "rules/coverage/triangle_fill.h"
 #include "rules/coverage/window.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "profile/clipping/clipping.h"
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 #include "tests/profile/altered_renderer.h"
 #include "tests/profile/found_traits.h"
 

@@ -15,10 +15,9 @@
 #include <nlohmann/json.hpp>
 
 #include "generate/random_scenes.h"
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 #include "profile/output/output.h"
-#include "profile/output/output_scenes.h"
-#include "profile/profile_reports.h"
+#include "profile/profile.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "tests/profile/found_traits.h"

@@ -10,7 +10,6 @@
 #include "generate/random_scenes.h"
 #include "generate/random_shapes.h"
 #include "profile/output/output.h"
-#include "profile/output/output_scenes.h"
 #include "raster/rasterizer.h"
 #include "rules/values/framebuffer.h"
 #include "tests/generate/scene_checks.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "model/policy.h"
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 #include "rules/all_rules.h"
 #include "tests/support/share.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Probes of single primitives: each asks what it says it asks, and nothing else.
-#include "profile/coverage/probes.h"
+#include "profile/coverage/coverage.h"
 
 #include <gtest/gtest.h>
 

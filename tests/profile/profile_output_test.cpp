@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "casefile/policy_reader.h"
-#include "profile/profile_reports.h"
+#include "profile/profile.h"
 
 namespace edgecase {
 namespace {

@@ -12,8 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "profile/profile_reports.h"
-#include "profile/samples/sample_scenes.h"
+#include "profile/profile.h"
 #include "profile/samples/samples.h"
 #include "tests/profile/sample_renderer.h"
 

@@ -8,7 +8,6 @@
 
 #include "generate/random_scenes.h"
 #include "generate/random_shapes.h"
-#include "profile/samples/sample_scenes.h"
 #include "profile/samples/samples.h"
 #include "raster/rasterizer.h"
 #include "rules/samples/sample_placement.h"

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 #include "profile/textures/textures.h"
 #include "tests/profile/altered_renderer.h"
 #include "tests/profile/found_traits.h"

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "profile/evidence/tally.h"
-#include "profile/profile_reports.h"
+#include "profile/evidence/inference.h"
+#include "profile/profile.h"
 #include "profile/textures/textures.h"
 #include "raster/rasterizer.h"
 

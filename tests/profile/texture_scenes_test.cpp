@@ -10,7 +10,7 @@
 
 #include "casefile/case_writer.h"
 #include "casefile/scene/viewport.h"
-#include "profile/textures/texture_scenes.h"
+#include "profile/textures/textures.h"
 #include "raster/rasterizer.h"
 #include "raster/texture_stage.h"
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 #include "profile/values/values.h"
 #include "raster/rasterizer.h"
 #include "rules/values/derivative.h"

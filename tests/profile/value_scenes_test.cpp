@@ -8,7 +8,6 @@
 #include "casefile/case_writer.h"
 #include "casefile/scene/viewport.h"
 #include "model/scene.h"
-#include "profile/values/value_scenes.h"
 #include "profile/values/values.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"

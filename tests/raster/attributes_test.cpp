@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "raster/texture_stage.h"
-#include "raster/vertex_attributes.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/rules/values/interpolants.h"
 

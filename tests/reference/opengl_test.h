@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-#include "run/renderer_names.h"
+#include "run/renderers.h"
 #include "tests/reference/drawings.h"
 #include "tests/support/share.h"
 

@@ -3,7 +3,7 @@
 // The worker program's refusals: what it says when it cannot be what its name promises.
 #include <gmock/gmock.h>
 
-#include "run/renderer_names.h"
+#include "run/renderers.h"
 #include "tests/reference/drawings.h"
 
 namespace edgecase {

@@ -9,7 +9,6 @@
 
 #include "reports/case_details.h"
 #include "reports/report_data.h"
-#include "results/base64.h"
 #include "results/deflate.h"
 
 namespace edgecase::sample {

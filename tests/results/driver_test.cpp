@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Drivers and releases by what real renderers report of themselves.
-#include "results/driver.h"
+#include "results/known_faults.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 //
 // Packed lines: they come back as they were; a file that is cut off or spoilt, or of another
 // format, is refused in one sentence, and what resuming can take of it is taken.
-#include "results/packed_stream.h"
+#include "results/packed_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -15,11 +15,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "results/base64.h"
 #include "results/deflate.h"
-#include "results/figure_json.h"
-#include "results/reported_fragments.h"
+#include "results/findings_json.h"
 #include "results/results_json.h"
+#include "results/samples_json.h"
 #include "results/shallow_json.h"
 #include "tests/results/sample_results.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/case_slices.h"
+#include "run/case_store.h"
 
 #include <gtest/gtest.h>
 

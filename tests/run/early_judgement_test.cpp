@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What is unexpected however the run will be read, and what only the whole run can tell.
-#include "run/early_judgement.h"
+#include "run/judging.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <set>
 
-#include "casefile/gallery_reader.h"
+#include "casefile/policy_reader.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "run/policy_contrast.h"

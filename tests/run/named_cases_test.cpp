@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Words that name cases, in a suite of a few files.
-#include "run/named_cases.h"
+#include "run/selection.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,8 +10,6 @@
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include "run/selection.h"
 
 namespace edgecase {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/renderer_names.h"
+#include "run/renderers.h"
 
 #include <gmock/gmock.h>
 

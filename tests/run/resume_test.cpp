@@ -2,7 +2,7 @@
 //
 // What a resumed run takes over from an earlier one, what it runs again, and what it refuses to
 // lose.
-#include "run/resume.h"
+#include "run/merge.h"
 
 #include <gmock/gmock.h>
 

@@ -9,7 +9,6 @@
 #include "casefile/loader.h"
 #include "model/scene.h"
 #include "search/scene_size.h"
-#include "search/steps.h"
 #include "tests/search/faulty_renderer.h"
 
 namespace edgecase {

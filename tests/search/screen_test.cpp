@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "search/screen.h"
+#include "search/trial.h"
 
 #include <gtest/gtest.h>
 

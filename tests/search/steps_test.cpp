@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "model/scene.h"
-#include "search/steps.h"
+#include "search/minimize.h"
 #include "tests/search/faulty_renderer.h"
 
 namespace edgecase {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/cause.h"
+#include "model/verdict.h"
 #include "rules/all_rules.h"
 #include "rules/choices.h"
 

@@ -11,7 +11,7 @@
 #include "results/durations.h"
 #include "results/known_faults.h"
 #include "results/results.h"
-#include "run/run_difference.h"
+#include "run/merge.h"
 #include "run/selection.h"
 #include "tools/edgecase/exit_code.h"
 #include "tools/edgecase/options.h"
@@ -54,7 +54,7 @@ struct JudgedRun {
   bool reruns = true;                // ask for unexpected answers again (run/rerun.h)
   bool whole_suite = false;          // as Results have it
   bool strict = false;               // what is contested is unexpected, too
-  std::optional<MergePart> earlier;  // a run to go on with (run/resume.h)
+  std::optional<MergePart> earlier;  // a run to go on with (run/merge.h)
   Durations* durations = nullptr;    // RunOptions has it
 };
 

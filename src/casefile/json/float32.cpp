@@ -3,7 +3,7 @@
 // A decimal equals a float32 number if both have the same significant digits and order of
 // magnitude. Every float32 number is a finite decimal with at most 149 fraction digits, which
 // std::to_chars writes in full.
-#include "casefile/json/float32.h"
+#include "casefile/json/numbers.h"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,6 @@
 #include <variant>
 #include <vector>
 
-#include "casefile/json/float32.h"
 #include "casefile/json/schema.h"
 #include "casefile/json/text.h"
 #include "exact/numeral.h"

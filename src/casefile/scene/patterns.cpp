@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-#include "casefile/json/float32.h"
+#include "casefile/json/numbers.h"
 #include "exact/elementary.h"
 
 namespace edgecase {

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "casefile/json/float32.h"
+#include "casefile/json/numbers.h"
 #include "casefile/json/schema.h"
 #include "casefile/json/text.h"
 #include "casefile/scene/plain_fields.h"

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "casefile/json/float32.h"
 #include "casefile/json/numbers.h"
 #include "casefile/json/schema.h"
 #include "casefile/json/text.h"

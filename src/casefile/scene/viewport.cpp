@@ -20,7 +20,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "casefile/json/float32.h"
+#include "casefile/json/numbers.h"
 #include "exact/homogeneous.h"
 #include "exact/numeral.h"
 

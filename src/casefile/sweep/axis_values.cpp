@@ -8,7 +8,6 @@
 #include <utility>
 #include <variant>
 
-#include "casefile/json/float32.h"
 #include "casefile/json/numbers.h"
 #include "casefile/json/schema.h"
 #include "casefile/json/text.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "diff/coverage/coverage_diff.h"
-#include "model/cause.h"
 #include "model/scene.h"
+#include "model/verdict.h"
 #include "rules/choices.h"
 
 namespace edgecase {

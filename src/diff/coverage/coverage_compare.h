@@ -11,7 +11,7 @@
 #include <span>
 
 #include "diff/coverage/coverage_diff.h"
-#include "diff/coverage/supported_sizes.h"
+#include "diff/coverage/vertex_latitude.h"
 #include "model/policy.h"
 #include "model/result.h"
 #include "model/scene.h"

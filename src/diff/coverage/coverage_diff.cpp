@@ -13,7 +13,7 @@
 
 #include "diff/coverage/legality.h"
 #include "exact/numeral.h"
-#include "model/fragments.h"
+#include "model/rendering.h"
 #include "raster/coverage_stages.h"
 #include "rules/all_rules.h"
 #include "rules/coverage/clip_volume.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "diff/coverage/coverage_diff.h"
-#include "diff/coverage/supported_sizes.h"
+#include "diff/coverage/vertex_latitude.h"
 #include "model/scene.h"
 #include "model/verdict.h"
 

@@ -101,12 +101,6 @@ std::string line_situation(const ScenePrimitive& line, PixelPosition pixel) {
   return fmt::format("{}, {}, {}", width == 1 ? "line" : "wide line", direction_of(s), place);
 }
 
-const char* edge_name(Point a, Point b) {
-  if (b.y < a.y) return "left";
-  if (b.y > a.y) return "right";
-  return b.x > a.x ? "bottom" : "top";
-}
-
 // True if the sample lies within a distance of the edge's line (raw), or on its inner side.
 bool is_beyond(Point a, Point b, Point sample, std::int64_t distance) {
   const std::int64_t side = cross(a, b, sample);
@@ -130,7 +124,7 @@ std::string polygon_situation(const char* name, std::span<const Point> t, Point 
     for (std::size_t i = 0; i < t.size(); ++i)
       if (cross(t[i], t[(i + 1) % t.size()], sample) == 0)
         return fmt::format("{}, sample exactly on a {} edge", name,
-                           edge_name(t[i], t[(i + 1) % t.size()]));
+                           edge_kind(t[i], t[(i + 1) % t.size()]));
   // Inside, the reversed edge gives the distance to its line on the other side.
   const char* reach = name_of_reach([&](std::int64_t distance) {
     return outside

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "diff/textures/exact_lookups.h"
-
 #include <algorithm>
+#include <cstddef>
+
+#include "diff/textures/texture_lookups.h"
+#include "rules/textures/directed.h"
+#include "rules/textures/texel_filter.h"
 
 namespace edgecase {
 namespace {
@@ -77,6 +80,72 @@ LookedUp ExactLookups::look_up(const Fragment& fragment) {
     std::ranges::transform(primitive_of(fragment).look_up(pixel).color, result.color.begin(),
                            middle);
   return result;
+}
+
+// The texels of which a lookup may take a mean, and the permitted means (rulings 23 and 24).
+
+// The last level that an anisotropic filter may access; it may take a mean of all its texels
+// (ruling 23).
+int TextureLookups::last_accessible(const Fragment& fragment) const {
+  const TextureUse& use = use_of(fragment);
+  if (use.sampler.mipmap == MipFilter::none) return use.sampler.base_level;
+  return last_level_of(exact_.decoded(use.texture), use.sampler, texture_of(fragment));
+}
+
+bool TextureLookups::has_levels_of_one_color(const Fragment& fragment) const {
+  const TextureUse& use = use_of(fragment);
+  const std::vector<DecodedLevel>& levels = exact_.decoded(use.texture).levels;
+  const auto end = std::min(levels.size(), static_cast<std::size_t>(last_accessible(fragment)) + 1);
+  for (auto level = static_cast<std::size_t>(use.sampler.base_level); level < end; ++level) {
+    const std::vector<Texel>& texels = levels[level].texels;
+    if (!std::ranges::all_of(texels, [&](const Texel& t) { return same_box(t, texels[0]); }))
+      return false;
+  }
+  return true;
+}
+
+Texel TextureLookups::accessible_texels(const Fragment& fragment) const {
+  const TextureUse& use = use_of(fragment);
+  const DecodedTexture& decoded = exact_.decoded(use.texture);
+  const int last = last_accessible(fragment);
+  const auto end = decoded.levels.size();
+  std::vector<Texel> texels;
+  for (auto level = static_cast<std::size_t>(use.sampler.base_level);
+       level <= static_cast<std::size_t>(last) && level < end; ++level)
+    texels.push_back(hull_of(decoded.levels[level].texels));
+  const auto& wrap = use.sampler.wrap;
+  const bool has_border = wrap[0] == Wrap::clamp_to_border ||
+                          (decoded.dimensions == 2 && wrap[1] == Wrap::clamp_to_border);
+  if (has_border) texels.push_back(decode_border(use.sampler.border, decoded.format));
+  return hull_of(texels);
+}
+
+// sRGB texels may be decoded before or after they are filtered (ruling 24).
+std::vector<Texel> TextureLookups::permitted_samples(const Fragment& fragment, Reach reach) {
+  const TextureUse& use = use_of(fragment);
+  const Texture& texture = texture_of(fragment);
+  const TextureChoice lawful;
+  const TextureSample at{point_of(fragment, context_.values_of(fragment).lawful, kLookupError),
+                         permitted_lookup_lambda(fragment, reach)};
+  // The weight has the error of lambda, except where lambda is clamped (ruling 22).
+  const bool is_clamped = at.lambda.low <= static_cast<double>(use.sampler.min_lod) ||
+                          at.lambda.high >= static_cast<double>(use.sampler.max_lod);
+  const SamplerPrecision precision = precision_within(reach);
+  SampleLatitude latitude{precision.texel, is_clamped ? precision.level : 0, true,
+                          SrgbDecoding::of_texels};
+  std::vector<Texel> colors =
+      sample(exact_.decoded(use.texture), texture, use.sampler, lawful, at, latitude);
+  if (texture.format != TextureFormat::srgb8) return colors;
+  const auto coded = srgb_.try_emplace(use.texture, srgb_coded(exact_.decoded(use.texture))).first;
+  Sampler sampler = use.sampler;
+  for (std::size_t c = 0; c < 3; ++c)
+    sampler.border[c] = static_cast<float>(linear_to_srgb_number(double{sampler.border[c]}));
+  for (const SrgbDecoding decoding : {SrgbDecoding::of_levels, SrgbDecoding::at_last}) {
+    latitude.decoding = decoding;
+    for (const Texel& color : sample(coded->second, texture, sampler, lawful, at, latitude))
+      colors.push_back(color);
+  }
+  return colors;
 }
 
 }  // namespace edgecase

@@ -7,19 +7,61 @@
 // by ruling 9, does not count again as one of texturing.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
-#include "diff/textures/exact_lookups.h"
 #include "diff/textures/texture_ways.h"
 #include "diff/values/value_diff.h"
+#include "raster/texture_stage.h"
 #include "rules/textures/texel_filter.h"
 #include "rules/values/derivative.h"
 
 namespace edgecase {
+
+// The exact lookups of a rendering's fragments under a policy, and the texels that they use.
+//
+// A generated chain that the renderer reports is used as it is: compare_mip_chains reports its
+// differences, once.
+
+// A lookup in the form that Rendering has.
+struct LookedUp {
+  std::array<double, 2> level_of_detail{};  // as FragmentDetail::level_of_detail
+  std::array<double, 4> color{};
+};
+
+class ExactLookups {
+ public:
+  // Everything referred to must outlive this. `exact`: the context's policy, in part or whole.
+  ExactLookups(const ValueContext& context, const Rendering& exact, const Rendering& rendered);
+
+  // The texels of the scene's textures in which the renderer looked up.
+  const DecodedTexture& decoded(std::size_t texture) const;
+
+  // The exact lookup of a fragment of a textured draw; its level of detail only if the renderer
+  // reports one. Taken from exact's fragment if there is one with the same texels; else computed.
+  LookedUp look_up(const Fragment& fragment);
+
+ private:
+  const Fragment* drawn(const Fragment& fragment) const;
+  TexturedPrimitive& primitive_of(const Fragment& fragment);
+  std::size_t texture_of(const Fragment& fragment) const;
+  bool reports_level(const Fragment& fragment) const;
+
+  const ValueContext& context_;
+  const Rendering& exact_;
+  const Rendering& rendered_;
+  TextureStage stage_;
+  std::set<std::size_t> changed_;  // textures with the renderer's chains in place of exact's
+  // The renderer's chains whose sizes are wrong, by texture index.
+  std::map<std::size_t, DecodedTexture> own_;
+  std::vector<std::unique_ptr<TexturedPrimitive>> primitives_;  // for lookups computed here
+};
 
 // Boxes in which all components of a lookup may lie: four components of a colour, two of a level of
 // detail, namely the level accessed (0 the base level) and lambda' before clamping, as in
@@ -115,5 +157,22 @@ class TextureLookups {
   InexactDerivatives inexact_;
   std::map<const Fragment*, OfFragment> fragments_;
 };
+
+// Compares texture lookups of fragments with exact and with what the specification permits: the
+// level of detail that the renderer reports (rulings 19 to 22), the colours that it looked up
+// (rulings 20 to 24) and the mip chains that it made (ruling 25).
+//
+// Results of an open way are aggregated, one aggregate for each way with the way as its cause: a
+// renderer that approximates the logarithm does so at every fragment. A result of an illegal way
+// only, or of none and not permitted, is a disagreement of its own.
+
+// Each appends disagreements and aggregates to `result`. `profile`: the choices that the renderer
+// is measured to follow; null: unknown.
+void compare_texture_lookups(const ValueContext& context, const Rendering& exact,
+                             const Rendering& rendered, const TextureChoice* profile,
+                             Result& result);
+
+void compare_mip_chains(const ValueContext& context, const Rendering& exact,
+                        const Rendering& rendered, Result& result);
 
 }  // namespace edgecase

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "diff/textures/texture_values.h"
+#include "diff/textures/texture_lookups.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

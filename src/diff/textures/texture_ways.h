@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "model/cause.h"
 #include "model/texture.h"
+#include "model/verdict.h"
 #include "rules/choices.h"
 
 namespace edgecase {

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "diff/values/offset_causes.h"
 #include "diff/values/sample_writers.h"
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "diff/values/offset_causes.h"
+#include "diff/values/value_causes.h"
 
 #include <algorithm>
 #include <cmath>

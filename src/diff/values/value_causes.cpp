@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <functional>
 
-#include "diff/values/offset_causes.h"
 #include "diff/values/sample_writers.h"
 #include "rules/all_rules.h"
 #include "rules/choices.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "diff/coverage/vertex_latitude.h"
-#include "model/fragments.h"
+#include "model/rendering.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/clip_volume.h"
 #include "rules/output/polygon_offset.h"

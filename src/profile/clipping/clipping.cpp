@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "casefile/scene/viewport.h"
+#include "generate/random_scenes.h"
 #include "generate/random_shapes.h"
-#include "generate/random_source.h"
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 
 namespace edgecase {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "generate/grids.h"
 #include "generate/random_shapes.h"
-#include "profile/coverage/probes.h"
+#include "profile/coverage/coverage.h"
 #include "rules/coverage/triangle_fill.h"
 
 namespace edgecase {

@@ -10,9 +10,7 @@
 #include <utility>
 
 #include "generate/random_scenes.h"
-#include "profile/coverage/probes.h"
 #include "profile/evidence/inference.h"
-#include "profile/evidence/tally.h"
 
 namespace edgecase {
 namespace {

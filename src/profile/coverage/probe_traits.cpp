@@ -9,7 +9,7 @@
 
 #include "diff/coverage/neighbour_faults.h"
 #include "model/scene.h"
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 #include "raster/rasterizer.h"
 #include "rules/values/attributes.h"
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <optional>
 
+#include "generate/random_scenes.h"
 #include "generate/random_shapes.h"
-#include "generate/random_source.h"
-#include "profile/coverage/probes.h"
+#include "profile/coverage/coverage.h"
 
 namespace edgecase {
 

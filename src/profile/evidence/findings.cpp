@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 
 namespace edgecase {
 

@@ -22,7 +22,7 @@
 #include "model/sampling.h"
 #include "model/scene.h"
 #include "profile/evidence/drawing.h"
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 #include "rules/choices.h"
 
 namespace edgecase {

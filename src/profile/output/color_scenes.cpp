@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "generate/random_shapes.h"
-#include "profile/output/output_scenes.h"
+#include "profile/output/output.h"
 
 namespace edgecase {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "profile/output/output_scenes.h"
+#include "profile/output/output.h"
 #include "rules/values/framebuffer.h"
 
 namespace edgecase {

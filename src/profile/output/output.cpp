@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "generate/random_scenes.h"
-#include "profile/output/output_scenes.h"
 #include "rules/values/framebuffer.h"
 
 namespace edgecase {

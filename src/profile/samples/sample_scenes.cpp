@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "profile/samples/sample_scenes.h"
+#include "profile/samples/samples.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "generate/random_scenes.h"
 #include "generate/random_shapes.h"
-#include "generate/random_source.h"
 
 namespace edgecase {
 namespace {

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 #include "profile/samples/samples.h"
 #include "raster/rasterizer.h"
 

@@ -10,8 +10,6 @@
 
 #include "generate/random_scenes.h"
 #include "profile/evidence/inference.h"
-#include "profile/evidence/tally.h"
-#include "profile/samples/sample_scenes.h"
 #include "rules/samples/sample_mask.h"
 
 namespace edgecase {

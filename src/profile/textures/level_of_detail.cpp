@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 #include "profile/textures/textures.h"
 
 namespace edgecase {

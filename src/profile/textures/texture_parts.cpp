@@ -7,7 +7,7 @@
 
 #include "exact/elementary.h"
 #include "generate/random_shapes.h"
-#include "profile/textures/texture_scenes.h"
+#include "profile/textures/textures.h"
 
 namespace edgecase {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "profile/textures/texture_scenes.h"
+#include "profile/textures/textures.h"
 
 #include <array>
 #include <cmath>

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "diff/values/value_diff.h"
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 #include "profile/textures/textures.h"
 #include "raster/texture_stage.h"
 

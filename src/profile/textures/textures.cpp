@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 
 namespace edgecase {
 namespace {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "diff/values/value_diff.h"
-#include "profile/evidence/tally.h"
+#include "profile/evidence/inference.h"
 #include "profile/values/values.h"
 #include "raster/attributes.h"
 #include "rules/values/framebuffer.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "profile/values/value_scenes.h"
+#include "profile/values/values.h"
 
 #include <fmt/format.h>
 

@@ -13,8 +13,7 @@
 #include <variant>
 
 #include "diff/values/value_diff.h"
-#include "profile/evidence/tally.h"
-#include "profile/values/value_scenes.h"
+#include "profile/evidence/inference.h"
 #include "raster/attributes.h"
 
 namespace edgecase {

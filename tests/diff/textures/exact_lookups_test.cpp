@@ -2,7 +2,7 @@
 //
 // What fragments look up exactly is the same whether exact has drawn it or not, and is looked up in
 // the chain that the renderer tells.
-#include "diff/textures/exact_lookups.h"
+#include "diff/textures/texture_lookups.h"
 
 #include <gtest/gtest.h>
 

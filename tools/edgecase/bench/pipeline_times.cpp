@@ -16,7 +16,7 @@
 #include "results/results_json.h"
 #include "run/comparing.h"
 #include "run/judging.h"
-#include "run/renderer_names.h"
+#include "run/renderers.h"
 #include "run/run.h"
 #include "search/fuzz.h"
 #include "tools/edgecase/bench/rates.h"

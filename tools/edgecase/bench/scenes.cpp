@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "casefile/loader.h"
-#include "generate/random_source.h"
+#include "generate/random_scenes.h"
 
 namespace edgecase {
 namespace {

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <utility>
 
-#include "run/renderer_names.h"
+#include "run/renderers.h"
 
 namespace edgecase {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "reports/text.h"
 #include "run/process_renderer.h"
-#include "run/renderer_names.h"
+#include "run/renderers.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/options.h"

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "rules/all_rules.h"
-#include "run/renderer_names.h"
+#include "run/renderers.h"
 
 namespace edgecase {
 namespace {

@@ -13,7 +13,6 @@
 #include "casefile/loader.h"
 #include "model/scene.h"
 #include "reports/text.h"
-#include "run/renderer_names.h"
 #include "run/renderers.h"
 #include "search/find.h"
 #include "search/fuzz.h"

@@ -16,7 +16,6 @@
 #include "model/text.h"
 #include "reports/text.h"
 #include "rules/all_rules.h"
-#include "run/renderer_names.h"
 #include "run/renderers.h"
 #include "search/find.h"
 #include "search/minimize.h"

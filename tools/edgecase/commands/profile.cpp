@@ -9,10 +9,8 @@
 #include <utility>
 
 #include "profile/profile.h"
-#include "profile/profile_reports.h"
 #include "reports/text.h"
-#include "run/recording_renderer.h"
-#include "run/renderer_names.h"
+#include "run/record.h"
 #include "run/renderers.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/default_suite.h"

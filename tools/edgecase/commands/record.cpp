@@ -13,7 +13,7 @@
 #include "model/renderer.h"
 #include "reports/text.h"
 #include "run/record.h"
-#include "run/renderer_names.h"
+#include "run/renderers.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/output/progress_line.h"

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "image/image_file.h"
-#include "run/renderer_names.h"
 #include "run/renderers.h"
 #include "run/run.h"
 #include "tools/edgecase/commands/commands.h"

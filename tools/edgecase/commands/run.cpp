@@ -12,8 +12,8 @@
 
 #include "model/text.h"
 #include "reports/text.h"
-#include "run/last_failed.h"
-#include "run/recording_renderer.h"
+#include "run/record.h"
+#include "run/rerun.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/output/delivery.h"

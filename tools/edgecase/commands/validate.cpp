@@ -8,7 +8,6 @@
 #include <set>
 
 #include "casefile/case_reader.h"
-#include "casefile/gallery_reader.h"
 #include "casefile/json/json_layout.h"
 #include "casefile/policy_reader.h"
 #include "model/text.h"

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "casefile/gallery_reader.h"
+#include "casefile/policy_reader.h"
 #include "rules/all_rules.h"
 #include "run/expectation_check.h"
 #include "run/policy_contrast.h"
