@@ -2,10 +2,14 @@
 #include "reference/egl_context.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <map>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,6 +18,14 @@
 namespace edgecase {
 
 namespace {
+
+// Of ANGLE's extensions of EGL, which Khronos' headers leave to ANGLE: EGL_ANGLE_platform_angle,
+// its _vulkan and its _device_type_swiftshader.
+constexpr EGLenum kAngle = 0x3202;
+constexpr EGLint kAngleType = 0x3203;
+constexpr EGLint kAngleVulkan = 0x3450;
+constexpr EGLint kAngleDeviceType = 0x3209;
+constexpr EGLint kAngleSwiftShader = 0x3487;
 
 // Pbuffers kept at a time; a suite uses a handful of sizes.
 constexpr std::size_t kMostPbuffers = 16;
@@ -153,7 +165,8 @@ ContextResult make_context(const EglFunctions& egl, EGLDisplay display, GlApi ap
     return ContextError{place + " offers no " + wanted};
   const EGLConfig config = find_config(egl, display, api);
   if (config == nullptr)
-    return ContextError{place + " has no configuration for " + wanted + " with RGBA8"};
+    return ContextError{place + " has no configuration for " + wanted + " with RGBA8" +
+                        (is_core ? "; egl-es: asks for OpenGL ES" : "")};
   const EGLContext context = create_context(egl, display, config, api);
   if (context == EGL_NO_CONTEXT)
     return ContextError{place + (is_core ? " offers no OpenGL core context of version 3.3 or later"
@@ -162,10 +175,20 @@ ContextResult make_context(const EglFunctions& egl, EGLDisplay display, GlApi ap
   return result;
 }
 
-EGLDisplay platform_display(const EglFunctions& egl, EGLenum platform, void* native) {
+EGLDisplay platform_display(const EglFunctions& egl, EGLenum platform, void* native,
+                            const EGLint* attributes = nullptr) {
   const auto get_display =
       egl.extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
-  return get_display == nullptr ? EGL_NO_DISPLAY : get_display(platform, native, nullptr);
+  return get_display == nullptr ? EGL_NO_DISPLAY : get_display(platform, native, attributes);
+}
+
+// Does the text hold the other, in upper or lower case? Fewer than three letters stand anywhere.
+bool holds(const std::string& text, const std::string& other) {
+  if (other.size() < 3) return false;
+  const auto same = [](unsigned char a, unsigned char b) {
+    return std::tolower(a) == std::tolower(b);
+  };
+  return std::search(text.begin(), text.end(), other.begin(), other.end(), same) != text.end();
 }
 
 }  // namespace
@@ -189,6 +212,55 @@ ContextResult make_egl_device_context(GlApi api, int index) {
         fmt::format("there is no EGL device {}: EGL lists {}", index, devices.size())};
   const EGLDisplay display = platform_display(egl, EGL_PLATFORM_DEVICE_EXT, devices[place]);
   return make_context(egl, display, api, fmt::format("EGL device {}", index));
+}
+
+ContextResult make_egl_device_context(GlApi api, const std::string& name) {
+  EglFunctions egl;
+  if (std::string error = egl.load(); !error.empty()) return ContextError{error};
+  std::vector<EGLDeviceEXT> devices;
+  if (std::string error = list_devices(egl, devices); !error.empty()) return ContextError{error};
+  std::vector<std::string> listed;
+  std::vector<int> matching;
+  for (const EGLDeviceEXT device : devices) {
+    const std::string text = describe_device(egl, device);
+    const int index = static_cast<int>(listed.size());
+    if (holds(text, name)) matching.push_back(index);
+    listed.push_back(fmt::format("{} ({})", index, text));
+  }
+  if (matching.size() == 1) return make_egl_device_context(api, matching.front());
+  return ContextError{
+      fmt::format("{} EGL devices have \"{}\" in what EGL says of them: {}; name a "
+                  "part of one of these, or use its number: egl:device0",
+                  matching.empty() ? "no" : "several", name, fmt::join(listed, ", "))};
+}
+
+ContextResult make_egl_library_context(GlApi api, const std::string& path) {
+  EglFunctions egl;
+  if (std::string error = egl.load(path); !error.empty()) return ContextError{error};
+  const std::string place = "EGL of " + std::filesystem::path(path).filename().string();
+  const char* const extensions = egl.query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+  const auto has = [&](const char* extension) {
+    return extensions != nullptr &&
+           std::string_view(extensions).find(extension) != std::string_view::npos;
+  };
+  if (!has("EGL_ANGLE_platform_angle"))
+    return make_context(
+        egl,
+        has("EGL_MESA_platform_surfaceless")
+            ? platform_display(egl, EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY)
+            : egl.get_display(EGL_DEFAULT_DISPLAY),
+        api, place);
+  constexpr EGLint kVulkan[] = {kAngleType, kAngleVulkan, EGL_NONE};
+  constexpr EGLint kSwiftShader[] = {kAngleType, kAngleVulkan, kAngleDeviceType, kAngleSwiftShader,
+                                     EGL_NONE};
+  ContextResult result;
+  for (const EGLint* const attributes :
+       {static_cast<const EGLint*>(nullptr), kVulkan, kSwiftShader}) {
+    result = make_context(egl, platform_display(egl, kAngle, EGL_DEFAULT_DISPLAY, attributes), api,
+                          place);
+    if (!std::holds_alternative<ContextError>(result)) return result;
+  }
+  return result;
 }
 
 int count_egl_devices() {

@@ -17,6 +17,7 @@ namespace edgecase {
 struct EglFunctions {
   decltype(eglGetProcAddress)* get_proc_address = nullptr;
   decltype(eglQueryString)* query_string = nullptr;
+  decltype(eglGetDisplay)* get_display = nullptr;
   decltype(eglInitialize)* initialize = nullptr;
   decltype(eglTerminate)* terminate = nullptr;
   decltype(eglBindAPI)* bind_api = nullptr;
@@ -28,8 +29,9 @@ struct EglFunctions {
   decltype(eglMakeCurrent)* make_current = nullptr;
   decltype(eglGetError)* get_error = nullptr;
 
-  // Opens the library, which stays open. Returns what is missing; empty if nothing is.
-  std::string load();
+  // Opens the library, which stays open: the system's or, unless `path` is empty, that file or the
+  // one in that folder. Returns what is missing; empty if nothing is.
+  std::string load(const std::string& path = "");
 
   // An optional function; null if there is none.
   template <class Function>
@@ -41,5 +43,10 @@ struct EglFunctions {
 // The devices of EGL_EXT_device_enumeration, in order. Returns why they cannot be listed; empty on
 // success.
 std::string list_devices(const EglFunctions& egl, std::vector<EGLDeviceEXT>& devices);
+
+// What EGL says of a device, its parts separated by spaces: its renderer and vendor
+// (EGL_EXT_device_query_name), its file (EGL_EXT_device_drm), and its extensions, of which
+// EGL_MESA_device_software marks Mesa's own.
+std::string describe_device(const EglFunctions& egl, EGLDeviceEXT device);
 
 }  // namespace edgecase

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <charconv>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "reference/egl_context.h"
 #include "reference/gl_context.h"
@@ -10,32 +13,41 @@ namespace edgecase {
 
 namespace {
 
-struct DevicePrefix {
-  std::string_view text;
-  GlApi api;
-};
-constexpr DevicePrefix kDevicePrefixes[] = {{"egl-device:", GlApi::opengl},
-                                            {"egl-es-device:", GlApi::opengl_es}};
+// The number that the text is; -1 for any other text.
+int number_of(std::string_view text) {
+  int number = -1;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && stop == end ? number : -1;
+}
 
-// The number after the prefix; -1 if there is none.
-int device_of(std::string_view name, std::string_view prefix) {
-  if (!name.starts_with(prefix)) return -1;
-  int index = -1;
-  const char* end = name.data() + name.size();
-  const auto [stop, error] = std::from_chars(name.data() + prefix.size(), end, index);
-  return error == std::errc() && stop == end ? index : -1;
+// The context of EGL that the text behind "egl-" or "egl-es-" names; nothing if it names none.
+std::optional<ContextResult> make_egl_context(std::string_view name, GlApi api) {
+  if (name == "surfaceless") return make_egl_surfaceless_context(api);
+  constexpr std::string_view kDevice = "device:";
+  constexpr std::string_view kLibrary = "lib:";
+  if (name.starts_with(kLibrary))
+    return make_egl_library_context(api, std::string(name.substr(kLibrary.size())));
+  if (!name.starts_with(kDevice) || name == kDevice) return std::nullopt;
+  const std::string device(name.substr(kDevice.size()));
+  const int index = number_of(device);
+  return index >= 0 ? make_egl_device_context(api, index) : make_egl_device_context(api, device);
 }
 
 ContextResult make_context(const std::string& name) {
+  constexpr std::string_view kEgl = "egl-";
+  constexpr std::string_view kEs = "egl-es-";
   if (name == "osmesa") return make_osmesa_context();
-  if (name == "egl-surfaceless") return make_egl_surfaceless_context(GlApi::opengl);
-  if (name == "egl-es-surfaceless") return make_egl_surfaceless_context(GlApi::opengl_es);
-  for (const auto& [prefix, api] : kDevicePrefixes)
-    if (const int index = device_of(name, prefix); index >= 0)
-      return make_egl_device_context(api, index);
+  const std::string_view text = name;
+  std::optional<ContextResult> result;
+  if (text.starts_with(kEs))
+    result = make_egl_context(text.substr(kEs.size()), GlApi::opengl_es);
+  else if (text.starts_with(kEgl))
+    result = make_egl_context(text.substr(kEgl.size()), GlApi::opengl);
+  if (result) return *std::move(result);
   return ContextError{"there is no context '" + name +
-                      "'; known are osmesa, egl-surfaceless, egl-device:N, egl-es-surfaceless and "
-                      "egl-es-device:N"};
+                      "'; known are osmesa, egl-surfaceless, egl-device:N, egl-device:NAME, "
+                      "egl-lib:PATH, and the last four of OpenGL ES: egl-es-surfaceless"};
 }
 
 }  // namespace

@@ -5,8 +5,9 @@
 //   edgecase-gl CONTEXT [--expect-driver NAME] [--messages|--bench]
 //   edgecase-gl --devices
 //
-// CONTEXT is osmesa, egl-surfaceless or egl-device:N or, for OpenGL ES, egl-es-surfaceless or
-// egl-es-device:N. With --devices it only prints how many devices EGL lists.
+// CONTEXT is osmesa, egl-surfaceless, egl-device:N, egl-device:NAME or egl-lib:PATH or, for OpenGL
+// ES, one of the last four with egl-es- in place of egl-. With --devices it only prints how many
+// devices EGL lists.
 //
 // It speaks the protocol of reference/PROTOCOL.md: one scene per line on standard input, one answer
 // per line on standard output, until its input ends. With --messages, which the main program uses,
@@ -173,8 +174,9 @@ int run(int argc, char** argv) {
   const bool expects = arguments.size() == 3 && arguments[1] == "--expect-driver";
   if (arguments.size() != 1 && !expects)
     return complain(kUsageError,
-                    "usage: edgecase-gl osmesa|egl-surfaceless|egl-device:N|egl-es-surfaceless|"
-                    "egl-es-device:N [--expect-driver NAME] [--messages|--bench], or "
+                    "usage: edgecase-gl osmesa|egl-surfaceless|egl-device:N|egl-device:NAME|"
+                    "egl-lib:PATH [--expect-driver NAME] [--messages|--bench], of OpenGL ES by "
+                    "egl-es- in place of egl-, or "
                     "edgecase-gl --devices");
   if (arguments[0] == "--devices") return print_devices();
   const std::string driver = expects ? arguments[2] : "";

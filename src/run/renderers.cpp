@@ -26,6 +26,8 @@ constexpr std::string_view kOsmesaPrefix = "osmesa:";
 constexpr std::string_view kEglPrefix = "egl:";
 constexpr std::string_view kEsPrefix = "egl-es:";
 constexpr std::string_view kDevice = "device";
+constexpr std::string_view kNamedDevice = "device=";
+constexpr std::string_view kLibrary = "lib=";
 
 // How a worker comes by its context.
 enum class FrontEnd { osmesa, egl, egl_es };
@@ -101,10 +103,11 @@ Command zink_command(const std::string& worker, FrontEnd front_end, const std::s
   return command;
 }
 
-// A device is used with the user's environment, to show what the system offers.
-Command device_command(const std::string& worker, FrontEnd front_end, const std::string& number) {
-  const char* context = front_end == FrontEnd::egl_es ? "egl-es-device:" : "egl-device:";
-  return {{worker, context + number}, {{"LP_NUM_THREADS", "0"}}, {}};
+// A device or a library is used with the user's environment, to show what the system offers; the
+// variables of a build tree of Mesa (`meson devenv`) reach it, for instance.
+Command user_command(const std::string& worker, FrontEnd front_end, const std::string& context) {
+  const char* const prefix = front_end == FrontEnd::egl_es ? "egl-es-" : "egl-";
+  return {{worker, prefix + context}, {{"LP_NUM_THREADS", "0"}}, {}};
 }
 
 // The words of a command line; nothing if a quote is not closed.
@@ -159,15 +162,23 @@ bool is_number(std::string_view text) {
 }
 
 // The worker of a driver, by the text after the colon; nothing if there is no such driver.
+// `folder`: from which paths count.
 std::optional<Command> driver_command(const std::string& worker, FrontEnd front_end,
-                                      const std::string& driver) {
+                                      const std::string& driver,
+                                      const std::filesystem::path& folder) {
   if (driver == "llvmpipe" || driver == "softpipe") return mesa_command(worker, front_end, driver);
   if (front_end == FrontEnd::osmesa) return std::nullopt;
   // SwiftShader keeps floats in depth24, and reading it through OpenGL ES does not show that.
   if (driver == "zink" || (driver == "zink-swiftshader" && front_end == FrontEnd::egl))
     return zink_command(worker, front_end, driver);
+  if (driver.starts_with(kLibrary) && driver.size() > kLibrary.size())
+    return user_command(
+        worker, front_end,
+        "lib:" + std::filesystem::absolute(folder / driver.substr(kLibrary.size())).string());
+  if (driver.starts_with(kNamedDevice) && driver.size() > kNamedDevice.size())
+    return user_command(worker, front_end, "device:" + driver.substr(kNamedDevice.size()));
   if (driver.starts_with(kDevice) && is_number(driver.substr(kDevice.size())))
-    return device_command(worker, front_end, driver.substr(kDevice.size()));
+    return user_command(worker, front_end, "device:" + driver.substr(kDevice.size()));
   return std::nullopt;
 }
 
@@ -213,7 +224,9 @@ const std::vector<std::string>& opengl_es_renderer_names() {
 
 std::string known_renderer_names() {
   return "exact, egl:llvmpipe, egl:softpipe, egl:zink, egl:zink-swiftshader, egl:deviceN, "
-         "egl-es:llvmpipe, egl-es:softpipe, egl-es:zink, egl-es:deviceN, osmesa:llvmpipe, "
+         "egl:device=NAME, egl:lib=PATH, "
+         "egl-es:llvmpipe, egl-es:softpipe, egl-es:zink, egl-es:deviceN, egl-es:device=NAME, "
+         "egl-es:lib=PATH, osmesa:llvmpipe, "
          "osmesa:softpipe, exec:PROGRAM, recording:FILE";
 }
 
@@ -245,7 +258,7 @@ std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& rend
   spec.name = named.name;
   for (const auto& [prefix, front_end] : kPrefixes) {
     if (!name.starts_with(prefix)) continue;
-    auto command = driver_command(worker, front_end, name.substr(prefix.size()));
+    auto command = driver_command(worker, front_end, name.substr(prefix.size()), folder);
     if (!command) continue;
     spec.command = std::move(*command);
     spec.takes_messages = true;

@@ -20,9 +20,11 @@ namespace edgecase {
 // The renderers in processes of their own, by their names on the command line.
 //
 //   osmesa:llvmpipe osmesa:softpipe egl:llvmpipe egl:softpipe egl:zink egl:zink-swiftshader
-//   egl:deviceN exec:PROGRAM
+//   egl:deviceN egl:device=NAME egl:lib=PATH exec:PROGRAM
 //
-// and of OpenGL ES egl-es:llvmpipe egl-es:softpipe egl-es:zink egl-es:deviceN.
+// and of OpenGL ES egl-es:llvmpipe egl-es:softpipe egl-es:zink egl-es:deviceN egl-es:device=NAME
+// egl-es:lib=PATH. Paths count from the folder of the project that names the renderer, or from
+// here.
 //
 // The OpenGL ones are one program, edgecase-gl, with different arguments and environments: Mesa
 // chooses its driver by environment variables that it reads once per process.

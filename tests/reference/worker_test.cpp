@@ -73,9 +73,18 @@ TEST(Worker, ADeviceThatIsNotThereIsUnavailable) {
 
 TEST(Worker, AnUnknownContextIsUnavailable) {
   ProcessSpec spec = spec_of("egl:llvmpipe");
-  for (const char* name : {"glx", "egl-device:", "egl-device:x", "egl-device:1x"}) {
+  for (const char* name : {"glx", "e", "egl-", "egl-device:", "egl-es-", "egl-es-gl", "egl-lib"}) {
     spec.command.argv = {spec.command.argv[0], name};
     EXPECT_THAT(failure_of(spec).reason, HasSubstr("known are osmesa, egl-surfaceless")) << name;
+  }
+}
+
+TEST(Worker, ADeviceIsNamedByThreeLettersOrMore) {
+  ProcessSpec spec = spec_of("egl:llvmpipe");
+  for (const char* name : {"x", "1x", "of nobody"}) {
+    spec.command.argv = {spec.command.argv[0], std::string("egl-device:") + name};
+    EXPECT_THAT(failure_of(spec).reason,
+                HasSubstr(std::string("no EGL devices have \"") + name + '"'));
   }
 }
 

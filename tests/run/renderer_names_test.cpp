@@ -61,6 +61,21 @@ TEST(RendererNames, OpenGlEsIsAnotherContextOfTheSameDriver) {
   EXPECT_THAT(message_of("egl-es:zink-swiftshader"), HasSubstr("there is no renderer"));
 }
 
+TEST(RendererNames, ADeviceOrALibraryIsTheUsersOwn) {
+  EXPECT_THAT(command_of("egl:device=NVIDIA H100").argv,
+              ElementsAre("/opt/bin/edgecase-gl", "egl-device:NVIDIA H100"));
+  EXPECT_THAT(command_of("egl-es:device=software").argv,
+              ElementsAre("/opt/bin/edgecase-gl", "egl-es-device:software"));
+  const Command angle = command_of("egl-es:lib=/opt/angle/libEGL.so");
+  EXPECT_THAT(angle.argv, ElementsAre("/opt/bin/edgecase-gl", "egl-es-lib:/opt/angle/libEGL.so"));
+  EXPECT_TRUE(angle.unset.empty()) << "variables of the user reach it";
+  // A path that does not begin at the root counts from where we are, and the worker from elsewhere.
+  EXPECT_EQ(command_of("egl:lib=own").argv[1],
+            "egl-lib:" + std::filesystem::absolute("own").string());
+  EXPECT_THAT(message_of("egl:lib="), HasSubstr("egl:lib=PATH"));
+  EXPECT_THAT(message_of("osmesa:lib=/opt/mesa"), HasSubstr("there is no renderer"));
+}
+
 TEST(RendererNames, WithoutAWorkerNoDevicesAreListed) {
   EXPECT_EQ(listed_egl_devices("/no/such/folder"), 0);
 }

@@ -4,6 +4,7 @@ has the same answer, fragment for fragment, and every case that OpenGL ES does n
 lacks."""
 import json
 import re
+import subprocess
 import unittest
 
 from support import RENDERER, SUITE, CommandTest, only_result
@@ -75,7 +76,34 @@ class OpenGlEs(CommandTest):
         run = self.command("backends", "egl-es:llvmpipe", "egl-es:softpipe")
         for driver in ("llvmpipe", "softpipe"):
             self.assertRegex(run.stdout, f"egl-es:{driver} +{driver}.*OpenGL ES 3\\.")
-        # Of contexts that no device has.
+    def test_a_library_and_a_device_by_name_are_the_same_driver(self):
+        """Mesa's own library, by its file, and its only device, by a part of its description."""
+        found = subprocess.run(["ldconfig", "-p"], check=True, capture_output=True, text=True,
+                               env={"PATH": "/usr/sbin:/sbin:/usr/bin:/bin"}).stdout
+        library = re.search(r"libEGL\.so\.1 .*=> (\S+)", found)[1]
+        case = f"{SUITE}/points/centres.json"
+        for api in ("egl", "egl-es"):
+            for address in (f"lib={library}", "device=mesa_device_Software"):
+                with self.subTest(f"{api}:{address}"):
+                    results = self.results(case, "--against", f"{api}:{address}", "--against",
+                                           f"{api}:llvmpipe", expect=None,
+                                           LIBGL_ALWAYS_SOFTWARE="1", GALLIUM_DRIVER="llvmpipe")
+                    own, named = results["renderers"]
+                    self.assertEqual(own["device"], named["device"])
+                    for one in results["cases"]:
+                        verdicts = {told["verdict"] for told in one["results"].values()}
+                        self.assertEqual(len(verdicts), 1, one)
+
+    def test_what_is_not_there_is_said_with_what_is(self):
+        for address, words in (
+                ("egl:lib=/nowhere/libEGL.so", "EGL cannot be opened: /nowhere/libEGL.so"),
+                ("egl:lib=/usr/lib", "EGL cannot be opened: /usr/lib/libEGL.so"),
+                ("egl:device=voodoo", 'no EGL devices have "voodoo" in what EGL says of them: 0 (')):
+            with self.subTest(address):
+                run = self.command("backends", address, expect=None)
+                self.assertIn(words, run.stdout)
+
+    def test_of_contexts_that_no_device_has(self):
         run = self.command("backends", "egl-es:device99", expect=RENDERER)
         self.assertIn("there is no EGL device 99", run.stdout)
 

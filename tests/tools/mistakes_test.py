@@ -9,7 +9,9 @@ from support import INTERNAL, NOTHING_SELECTED, USAGE, CommandTest, triangle_cas
 HELP = "; `edgecase help {}` says what it takes"
 LISTS = "`edgecase help` lists them"
 KNOWN = ("exact, egl:llvmpipe, egl:softpipe, egl:zink, egl:zink-swiftshader, egl:deviceN, "
-         "egl-es:llvmpipe, egl-es:softpipe, egl-es:zink, egl-es:deviceN, osmesa:llvmpipe, "
+         "egl:device=NAME, egl:lib=PATH, "
+         "egl-es:llvmpipe, egl-es:softpipe, egl-es:zink, egl-es:deviceN, egl-es:device=NAME, "
+         "egl-es:lib=PATH, osmesa:llvmpipe, "
          "osmesa:softpipe, exec:PROGRAM, recording:FILE")
 EXACT = ("--against", "exact")
 
