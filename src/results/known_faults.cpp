@@ -34,13 +34,17 @@ std::vector<int> numbers_of(const std::string& text) {
   return numbers;
 }
 
-// The text after OpenGL's own version: "Mesa 22.3.6" of "4.5 (Core Profile) Mesa 22.3.6". The whole
-// text if nothing with a number follows.
+// The text after OpenGL's own version: "Mesa 22.3.6" of "4.5 (Core Profile) Mesa 22.3.6", or what
+// is in brackets there: "ANGLE 2.1" of "OpenGL ES 3.1 (ANGLE 2.1)". The whole text if nothing with
+// a number follows.
 std::string after_opengl(const std::string& version, bool& is_es) {
-  static const std::regex kOpenGl(R"(^(OpenGL ES )?\d+\.\d+(?:\.\d+)?(?: \([^)]*\))? +(.*\d.*)$)");
+  static const std::regex kOpenGl(R"(^(OpenGL ES )?\d+\.\d+(?:\.\d+)?(?: \([^)]*\))? +([^(].*\d.*|\d.*)$)");
   is_es = version.starts_with("OpenGL ES ");
+  static const std::regex kBracketed(R"(^(OpenGL ES )?\d+\.\d+(?:\.\d+)? \((.*\d.*)\)$)");
   std::smatch match;
-  return std::regex_match(version, match, kOpenGl) ? match[2].str() : version;
+  const bool follows =
+      std::regex_match(version, match, kOpenGl) || std::regex_match(version, match, kBracketed);
+  return follows ? match[2].str() : version;
 }
 
 std::string dotted(const std::vector<int>& numbers) {
@@ -70,13 +74,25 @@ Release release_of(const RendererInfo& info) {
   return release;
 }
 
+namespace {
+
+// What ANGLE draws with; of another driver the device.
+std::string below_angle(const std::string& device) {
+  static const std::regex kAngle(R"(^ANGLE \([^,]*, (?:Vulkan [\d.]+ \()?(.*), [^,]*\)$)");
+  std::smatch match;
+  return std::regex_match(device, match, kAngle) ? match[1].str() : device;
+}
+
+}  // namespace
+
 std::string driver_of(const RendererInfo& info) {
   if (!is_opengl(known_as(info))) return known_as(info);
-  for (const char* name : {"llvmpipe", "softpipe"})
-    if (info.device.starts_with(name)) return name;
-  if (info.device.starts_with("zink"))
-    return info.device.find("SwiftShader") != std::string::npos ? "SwiftShader" : "zink";
-  const std::string name = trimmed(info.device.substr(0, info.device.find_first_of("(/")));
+  const std::string device = below_angle(info.device);
+  for (const char* name : {"llvmpipe", "softpipe", "SwiftShader"})
+    if (device.starts_with(name)) return name;
+  if (device.starts_with("zink"))
+    return device.find("SwiftShader") != std::string::npos ? "SwiftShader" : "zink";
+  const std::string name = trimmed(device.substr(0, device.find_first_of("(/")));
   return name.empty() ? known_as(info) : name;
 }
 

@@ -53,11 +53,14 @@ struct Release {
 std::string text_of(const Release& release);
 
 // "4.5 (Core Profile) Mesa 22.3.6" is Mesa 22.3.6, "OpenGL ES 3.2 NVIDIA 535.104" is NVIDIA
-// 535.104 of OpenGL ES, "tiny 1.2" is tiny 1.2.
+// 535.104 of OpenGL ES, "OpenGL ES 3.1 (ANGLE 2.1.2)" is ANGLE 2.1.2 of OpenGL ES, "tiny 1.2" is
+// tiny 1.2. It is the release of the upper layer: a fault of SwiftShader itself has no versions, and
+// one in which zink has part has those of Mesa.
 Release release_of(const RendererInfo& info);
 
-// "llvmpipe", "softpipe", "zink" (on Mesa's own Vulkan), "SwiftShader" (zink on SwiftShader); of
-// another OpenGL, GL_RENDERER up to its first bracket or slash; else known_as(info).
+// "llvmpipe", "softpipe", "zink" (on Mesa's own Vulkan), "SwiftShader" (below zink or ANGLE); of
+// another OpenGL, GL_RENDERER up to its first bracket or slash, where ANGLE's names what it draws
+// with; else known_as(info).
 std::string driver_of(const RendererInfo& info);
 
 // The releases of one product from `low` on and before `high`, if these are given:

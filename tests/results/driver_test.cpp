@@ -38,6 +38,16 @@ TEST(Driver, IsReadFromWhatRenderersReport) {
       {info_of("egl:zink-swiftshader", "zink (SwiftShader Device (LLVM 10.0.0))",
                "4.6 (Core Profile) Mesa 22.3.6"),
        "SwiftShader", "Mesa 22.3.6"},
+      {info_of(
+           "egl-es:lib=/opt/angle",
+           "ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero) (0x0000C0DE)), SwiftShader "
+           "driver-5.0.0)",
+           "OpenGL ES 3.1 (ANGLE 2.1.27278 git hash: 0d61b30acc76)"),
+       "SwiftShader", "ANGLE 2.1.27278 ES"},
+      {info_of("egl-es:lib=/opt/angle",
+               "ANGLE (NVIDIA Corporation, NVIDIA GeForce RTX 3080/PCIe/SSE2, OpenGL 4.5.0)",
+               "OpenGL ES 3.1 (ANGLE 2.1.1 git hash: unknown hash)"),
+       "NVIDIA GeForce RTX 3080", "ANGLE 2.1.1 ES"},
       {info_of("egl:device0", "NVIDIA H100 PCIe/PCIe/SSE2", "4.6.0 NVIDIA 535.104.05"),
        "NVIDIA H100 PCIe", "NVIDIA 535.104.5"},
       {info_of("exec:./mine", "a device", "tiny 1.2"), "exec:./mine", "tiny 1.2"},

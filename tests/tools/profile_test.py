@@ -24,14 +24,15 @@ class Profile(CommandTest):
         return {trait["id"]: trait for trait in found["traits"]}
 
     def decided(self, profile, expected, surface):
-        """The rules that every scene agrees with. What is followed must be what the committed
-        profile says, or as good on these few scenes. Where nothing in the catalogue draws all
-        scenes, which alternative comes closest takes more scenes to say than a test has."""
+        """The rules that some scene asks, and every such scene agrees with: windows of EGL have no
+        depths to offset, for instance. What is followed must be what the committed profile says, or
+        as good on these few scenes. Where nothing in the catalogue draws all scenes, which
+        alternative comes closest takes more scenes to say than a test has."""
         rules = {**expected["rules"], **expected.get("surfaces", {}).get(surface, {})}
         found = set()
         for rule, trait in self.traits(profile, surface).items():
             rate = trait["agreement"]
-            if rule not in rules or rate["agreeing"] < rate["of"]:
+            if rule not in rules or not rate["of"] or rate["agreeing"] < rate["of"]:
                 continue
             follows = {trait["follows"]}
             if trait.get("runner_up_agreement") == rate:
