@@ -54,8 +54,8 @@ std::string text_of(const Release& release);
 
 // "4.5 (Core Profile) Mesa 22.3.6" is Mesa 22.3.6, "OpenGL ES 3.2 NVIDIA 535.104" is NVIDIA
 // 535.104 of OpenGL ES, "OpenGL ES 3.1 (ANGLE 2.1.2)" is ANGLE 2.1.2 of OpenGL ES, "tiny 1.2" is
-// tiny 1.2. It is the release of the upper layer: a fault of SwiftShader itself has no versions, and
-// one in which zink has part has those of Mesa.
+// tiny 1.2. It is the release of the upper layer: a fault of SwiftShader itself has no versions,
+// and one in which zink has part has those of Mesa.
 Release release_of(const RendererInfo& info);
 
 // "llvmpipe", "softpipe", "zink" (on Mesa's own Vulkan), "SwiftShader" (below zink or ANGLE); of

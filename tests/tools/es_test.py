@@ -7,7 +7,8 @@ import re
 import subprocess
 import unittest
 
-from support import RENDERER, SUITE, CommandTest, only_result
+from suite_data import shard
+from support import RENDERER, SUITE, UNHURRIED, CommandTest, only_result
 
 # Files in which each thing that OpenGL ES lacks is asked for, and most of what it has.
 SHARE = [f"{SUITE}/{name}.json" for name in (
@@ -65,6 +66,12 @@ class OpenGlEs(CommandTest):
         alike, sentences = self.compare("softpipe")
         self.assertGreater(alike, 80)
         self.assertEqual(len(sentences), 5, sentences)
+
+    def test_nothing_in_the_suite_is_unexpected(self):
+        """By the rulings of OpenGL ES, whose sizes of points are exact, for instance."""
+        self.results(SUITE, *shard(), *UNHURRIED, "--against", "egl-es:llvmpipe", "--against",
+                     "egl-es:softpipe")
+        self.assertRegex(self.summary, r"(?m)^[\d,]+ cases, 2 renderers: 0 unexpected")
 
     def test_what_is_lacking_is_not_run(self):
         results = self.results(f"{SUITE}/values/derivatives/constant.json", "--against",
