@@ -38,7 +38,8 @@ std::vector<int> numbers_of(const std::string& text) {
 // is in brackets there: "ANGLE 2.1" of "OpenGL ES 3.1 (ANGLE 2.1)". The whole text if nothing with
 // a number follows.
 std::string after_opengl(const std::string& version, bool& is_es) {
-  static const std::regex kOpenGl(R"(^(OpenGL ES )?\d+\.\d+(?:\.\d+)?(?: \([^)]*\))? +([^(].*\d.*|\d.*)$)");
+  static const std::regex kOpenGl(
+      R"(^(OpenGL ES )?\d+\.\d+(?:\.\d+)?(?: \([^)]*\))? +([^(].*\d.*|\d.*)$)");
   is_es = version.starts_with("OpenGL ES ");
   static const std::regex kBracketed(R"(^(OpenGL ES )?\d+\.\d+(?:\.\d+)? \((.*\d.*)\)$)");
   std::smatch match;

@@ -11,7 +11,6 @@
 #define contains fixed_contains
 #define touches_part fixed_touches_part
 #define owned_parts fixed_owned_parts
-#define open_ties fixed_open_ties
 #include "rules/coverage/diamond_exit.cpp"
 #undef Diamond
 #undef inside_sides
@@ -19,7 +18,6 @@
 #undef contains
 #undef touches_part
 #undef owned_parts
-#undef open_ties
 #include "rules/coverage/homogeneous_line.cpp"
 
 using namespace edgecase;
