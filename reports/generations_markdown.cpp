@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include "reports/markdown.h"
+#include "reports/text.h"
 
 namespace edgecase {
 namespace {
@@ -35,27 +38,48 @@ std::string words_of_span(const std::vector<Release>& releases, const CasesOn& c
   return text_of(releases[first]) + " to " + text_of(releases[last]);
 }
 
-std::string row(const std::string& name, const std::vector<Release>& releases, const CasesOn& cases,
-                const std::string& reason) {
-  std::string cells;
-  for (const Release& release : releases) cells += fmt::format(" {} |", cases_of(cases, release));
-  return fmt::format("| {} |{} {} | {} |\n", name, cells, words_of_span(releases, cases),
-                     reason.empty() ? "" : markdown_cell(reason));
+// Of one fault: its name, its cases by release, and which releases show it.
+struct Row {
+  std::string name;
+  std::vector<std::string> cases;
+  std::string seen;
+  std::string reason;
+};
+
+// A heading, the faults, and what is not known.
+std::vector<Row> rows_of(const DriverGenerations& driver) {
+  std::vector<Row> rows = {{"fault", {}, "seen", "what"}};
+  const auto add = [&](const std::string& name, const CasesOn& cases, const std::string& reason) {
+    Row& row = rows.emplace_back(Row{name, {}, words_of_span(driver.releases, cases), reason});
+    for (const Release& release : driver.releases)
+      row.cases.push_back(std::to_string(cases_of(cases, release)));
+  };
+  for (const Release& release : driver.releases) rows[0].cases.push_back(text_of(release));
+  for (const auto& [id, cases] : driver.faults) add(id, cases, driver.reasons.at(id));
+  add("not known", driver.unexpected, "");
+  return rows;
+}
+
+std::string markdown_line(const Row& row) {
+  std::string line = fmt::format("| {} |", row.name);
+  for (const std::string& cell : row.cases) line += fmt::format(" {} |", cell);
+  return line + fmt::format(" {} | {} |\n", row.seen, row.reason);
 }
 
 std::string table(const std::string& name, const DriverGenerations& driver) {
-  std::string head = "| fault |";
-  std::string line = "|---|";
-  for (const Release& release : driver.releases) {
-    head += " " + markdown_cell(text_of(release)) + " |";
-    line += "---:|";
+  std::vector<Row> rows = rows_of(driver);
+  for (std::string& release : rows.front().cases) release = markdown_cell(release);
+  std::string text =
+      fmt::format("\n## {}\n\n{}|---|", markdown_code(name), markdown_line(rows.front()));
+  for (std::size_t i = 0; i < driver.releases.size(); ++i) text += "---:|";
+  text += "---|---|\n";
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    // The last is no fault.
+    if (i + 1 < rows.size()) rows[i].name = markdown_code(rows[i].name);
+    if (!rows[i].reason.empty()) rows[i].reason = markdown_cell(rows[i].reason);
+    text += markdown_line(rows[i]);
   }
-  std::string rows;
-  for (const auto& [id, cases] : driver.faults)
-    rows += row(markdown_code(id), driver.releases, cases, driver.reasons.at(id));
-  rows += row("not known", driver.releases, driver.unexpected, "");
-  return fmt::format("\n## {}\n\n{} seen | what |\n{}---|---|\n{}", markdown_code(name), head, line,
-                     rows);
+  return text;
 }
 
 }  // namespace
@@ -63,6 +87,28 @@ std::string table(const std::string& name, const DriverGenerations& driver) {
 std::string generations_markdown(const Generations& generations) {
   std::string text = "# Known faults by release\n";
   for (const auto& [name, driver] : generations) text += table(name, driver);
+  return text;
+}
+
+std::string generations_text(const Generations& generations) {
+  std::string text;
+  for (const auto& [name, driver] : generations) {
+    const std::vector<Row> rows = rows_of(driver);
+    std::size_t widest = 0;
+    std::vector<std::size_t> widths(driver.releases.size());
+    for (const Row& row : rows) {
+      widest = std::max(widest, row.name.size());
+      for (std::size_t i = 0; i < widths.size(); ++i)
+        widths[i] = std::max(widths[i], row.cases[i].size());
+    }
+    text += (text.empty() ? "" : "\n") + one_line(name) + "\n";
+    for (const Row& row : rows) {
+      text += fmt::format("  {:<{}}", one_line(row.name), widest);
+      for (std::size_t i = 0; i < widths.size(); ++i)
+        text += fmt::format("  {:>{}}", row.cases[i], widths[i]);
+      text += "  " + row.seen + "\n";
+    }
+  }
   return text;
 }
 

@@ -87,6 +87,17 @@ TEST(Generations, TellTheFirstAndTheLastReleaseOfEachFault) {
   EXPECT_THAT(text, HasSubstr("| not known | 0 | 0 | 2 | since Mesa 26.2.6 |  |"));
 }
 
+TEST(Generations, StandInColumnsForATerminal) {
+  EXPECT_EQ(generations_text(three_releases()),
+            "llvmpipe\n"
+            "  fault      Mesa 22.3.6  Mesa 25.0.7  Mesa 26.2.6  seen\n"
+            "  always               5            2            1  all\n"
+            "  began                0            4            4  since Mesa 25.0.7\n"
+            "  between              0            7            0  Mesa 25.0.7 alone\n"
+            "  ended                6            0            0  until Mesa 22.3.6\n"
+            "  not known            0            0            2  since Mesa 26.2.6\n");
+}
+
 TEST(Generations, RefuseResultsThatAreNotWhole) {
   Generations generations;
   Results results = run_of("22.3.6", {});

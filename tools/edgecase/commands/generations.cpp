@@ -16,7 +16,7 @@ namespace {
 
 struct GenerationsCommand {
   std::vector<std::string> files;
-  std::string markdown = "-";
+  std::string markdown;
 };
 
 ExitCode show_generations(const GenerationsCommand& command) {
@@ -29,6 +29,10 @@ ExitCode show_generations(const GenerationsCommand& command) {
       print_error(fmt::format("{}: {}; run `edgecase run` without a selection", file, *fault));
       return ExitCode::usage;
     }
+  }
+  if (command.markdown.empty()) {
+    fmt::print("{}", generations_text(generations));
+    return ExitCode::as_expected;
   }
   const std::string text = generations_markdown(generations);
   if (command.markdown != "-")
@@ -45,8 +49,8 @@ void add_generations_command(CLI::App& app, ExitCode& exit) {
   auto options = std::make_shared<GenerationsCommand>();
   command->add_option("results", options->files, "Results files of whole runs, of any releases")
       ->required();
-  command->add_option("--markdown", options->markdown, "File for the tables, - for standard output")
-      ->capture_default_str();
+  command->add_option("--markdown", options->markdown,
+                      "File for the tables in Markdown, with the reasons; - for standard output");
   command->callback([options, &exit] { exit = show_generations(*options); });
 }
 

@@ -58,7 +58,9 @@ constexpr HelpPage kPages[] = {
     {"generations", kRun,
      "Of each driver in the results: its known faults against its releases, in how many cases "
      "each shows, and which releases were the first and the last to show it.",
-     "023", nullptr, "edgecase generations bookworm.zst trixie.zst sid.zst"},
+     "023", nullptr,
+     "edgecase generations bookworm.zst trixie.zst sid.zst\n"
+     "edgecase generations bookworm.zst trixie.zst sid.zst --markdown faults.md"},
     {"merge", kRun,
      "The cases of all shards are judged anew, as one run. The results are those that a run "
      "without shards would have written.",
