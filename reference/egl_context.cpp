@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <map>
 #include <span>
 #include <string_view>
@@ -161,12 +160,12 @@ ContextResult make_context(const EglFunctions& egl, EGLDisplay display, GlApi ap
         fmt::format("{} cannot be initialised: EGL error {:#06x}", place, egl.get_error())};
   auto result = std::make_unique<EglContext>(egl, display, api, description);
   const std::string wanted = is_core ? "desktop OpenGL" : "OpenGL ES";
+  const std::string remedy = is_core ? "; egl-es: asks for OpenGL ES" : "";
   if (egl.bind_api(is_core ? EGL_OPENGL_API : EGL_OPENGL_ES_API) != EGL_TRUE)
-    return ContextError{place + " offers no " + wanted};
+    return ContextError{place + " offers no " + wanted + remedy};
   const EGLConfig config = find_config(egl, display, api);
   if (config == nullptr)
-    return ContextError{place + " has no configuration for " + wanted + " with RGBA8" +
-                        (is_core ? "; egl-es: asks for OpenGL ES" : "")};
+    return ContextError{place + " has no configuration for " + wanted + " with RGBA8" + remedy};
   const EGLContext context = create_context(egl, display, config, api);
   if (context == EGL_NO_CONTEXT)
     return ContextError{place + (is_core ? " offers no OpenGL core context of version 3.3 or later"
@@ -229,24 +228,20 @@ ContextResult make_egl_device_context(GlApi api, const std::string& name) {
   }
   if (matching.size() == 1) return make_egl_device_context(api, matching.front());
   return ContextError{
-      fmt::format("{} EGL devices have \"{}\" in what EGL says of them: {}; name a "
-                  "part of one of these, or use its number: egl:device0",
+      fmt::format("{} EGL devices have \"{}\" in what EGL says of them: {}; name three "
+                  "letters or more that one of these has, or its number: egl:device0",
                   matching.empty() ? "no" : "several", name, fmt::join(listed, ", "))};
 }
 
 ContextResult make_egl_library_context(GlApi api, const std::string& path) {
   EglFunctions egl;
   if (std::string error = egl.load(path); !error.empty()) return ContextError{error};
-  const std::string place = "EGL of " + std::filesystem::path(path).filename().string();
+  const std::string place = "EGL of " + path;
   const char* const extensions = egl.query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-  const auto has = [&](const char* extension) {
-    return extensions != nullptr &&
-           std::string_view(extensions).find(extension) != std::string_view::npos;
-  };
-  if (!has("EGL_ANGLE_platform_angle"))
+  if (!has_extension(extensions, "EGL_ANGLE_platform_angle"))
     return make_context(
         egl,
-        has("EGL_MESA_platform_surfaceless")
+        has_extension(extensions, "EGL_MESA_platform_surfaceless")
             ? platform_display(egl, EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY)
             : egl.get_display(EGL_DEFAULT_DISPLAY),
         api, place);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "reference/egl_library.h"
 
+#include <algorithm>
 #include <filesystem>
-#include <string_view>
+#include <iterator>
+#include <sstream>
 #include <system_error>
 
 #include "reference/shared_library.h"
@@ -36,6 +38,12 @@ std::string EglFunctions::load(const std::string& path) {
   return complete ? "" : (path.empty() ? "libEGL.so.1" : path) + " lacks functions of EGL 1.4";
 }
 
+bool has_extension(const char* list, std::string_view name) {
+  std::istringstream words(list == nullptr ? "" : list);
+  return std::find(std::istream_iterator<std::string>(words), {}, name) !=
+         std::istream_iterator<std::string>();
+}
+
 std::string list_devices(const EglFunctions& egl, std::vector<EGLDeviceEXT>& devices) {
   const auto query_devices = egl.extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
   EGLint count = 0;
@@ -61,7 +69,7 @@ std::string describe_device(const EglFunctions& egl, EGLDeviceEXT device) {
                              {"EGL_EXT_device_drm", EGL_DRM_DEVICE_FILE_EXT}};
   std::string text;
   for (const auto& [extension, name] : kParts) {
-    if (std::string_view(extensions).find(extension) == std::string_view::npos) continue;
+    if (!has_extension(extensions, extension)) continue;
     const char* const value = query(device, name);
     if (value != nullptr) text += std::string(value) + ' ';
   }

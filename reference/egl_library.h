@@ -10,6 +10,7 @@
 #include <EGL/eglext.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace edgecase {
@@ -39,6 +40,9 @@ struct EglFunctions {
     return reinterpret_cast<Function>(get_proc_address(name));
   }
 };
+
+// Does a list of extensions, separated by spaces, have this one? Null is an empty list.
+bool has_extension(const char* list, std::string_view name);
 
 // The devices of EGL_EXT_device_enumeration, in order. Returns why they cannot be listed; empty on
 // success.

@@ -46,8 +46,8 @@ ContextResult make_context(const std::string& name) {
     result = make_egl_context(text.substr(kEgl.size()), GlApi::opengl);
   if (result) return *std::move(result);
   return ContextError{"there is no context '" + name +
-                      "'; known are osmesa, egl-surfaceless, egl-device:N, egl-device:NAME, "
-                      "egl-lib:PATH, and the last four of OpenGL ES: egl-es-surfaceless"};
+                      "'; known are osmesa, egl-surfaceless, egl-device:N, egl-device:NAME and "
+                      "egl-lib:PATH, the last four for OpenGL ES with egl-es- in place of egl-"};
 }
 
 }  // namespace

@@ -15,6 +15,21 @@
 namespace edgecase {
 namespace {
 
+// What load_text calls: `read` with the rules that there are.
+template <class Read>
+auto by(Read read, std::span<const KnownRule> known) {
+  return [read, known](const JsonNode& root, Findings& findings) {
+    return read(root, known, findings);
+  };
+}
+
+template <class Value, class Read>
+Loaded<Value> load_file(const std::filesystem::path& file, Read read) {
+  const TextFile text = read_text_file(file, kMaxFileBytes);
+  if (!text.text) return {{}, {unreadable(file, text)}};
+  return load_text<Value>(*text.text, file, read);
+}
+
 void check_alternative(const Place& place, const std::string& alternative, const KnownRule& rule,
                        Findings& findings) {
   const auto& names = rule.alternatives;
@@ -87,16 +102,12 @@ Policy read_policy(const JsonNode& root, std::span<const KnownRule> known, Findi
 }  // namespace
 
 LoadedPolicy load_policy(const std::filesystem::path& file, std::span<const KnownRule> known) {
-  const TextFile read = read_text_file(file, kMaxFileBytes);
-  if (!read.text) return {{}, {unreadable(file, read)}};
-  return load_policy_text(*read.text, file, known);
+  return load_file<Policy>(file, by(read_policy, known));
 }
 
 LoadedPolicy load_policy_text(const std::string& text, const std::filesystem::path& file,
                               std::span<const KnownRule> known) {
-  return load_text<Policy>(text, file, [&](const JsonNode& root, Findings& findings) {
-    return read_policy(root, known, findings);
-  });
+  return load_text<Policy>(text, file, by(read_policy, known));
 }
 
 namespace {
@@ -264,16 +275,12 @@ Gallery read_gallery(const JsonNode& root, std::span<const KnownRule> known, Fin
 }  // namespace
 
 LoadedGallery load_gallery(const std::filesystem::path& file, std::span<const KnownRule> known) {
-  const TextFile read = read_text_file(file, kMaxFileBytes);
-  if (!read.text) return {{}, {unreadable(file, read)}};
-  return load_gallery_text(*read.text, file, known);
+  return load_file<Gallery>(file, by(read_gallery, known));
 }
 
 LoadedGallery load_gallery_text(const std::string& text, const std::filesystem::path& file,
                                 std::span<const KnownRule> known) {
-  return load_text<Gallery>(text, file, [&](const JsonNode& root, Findings& findings) {
-    return read_gallery(root, known, findings);
-  });
+  return load_text<Gallery>(text, file, by(read_gallery, known));
 }
 
 namespace {

@@ -10,6 +10,7 @@ import struct
 import subprocess
 import sys
 import termios
+import threading
 import unittest
 
 ROOT = pathlib.Path(os.environ["EDGECASE_ROOT"])
@@ -37,21 +38,28 @@ class HelpTest(CommandTest):
         return {name for head in heads for name in head.split(",")} - SHARED
 
 
+END = b"\0"  # behind what the program printed
+
+
 def columns_on_a_terminal(*arguments, columns):
     """The lines of what the command prints on a terminal of this width."""
     ours, theirs = pty.openpty()
     fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("4H", 40, columns, 0, 0))
+    text = b""
     with subprocess.Popen([EDGECASE, *arguments], stdin=subprocess.DEVNULL, stdout=theirs) as run:
-        os.close(theirs)
-        text = b""
-        try:
-            while part := os.read(ours, 65536):
-                text += part
-        except OSError:
-            pass  # the program has ended
-        os.close(ours)
+
+        def tell_end():
+            run.wait()
+            os.write(theirs, END)
+
+        # Whoever closes a terminal may lose what was not read from it yet.
+        threading.Thread(target=tell_end).start()
+        while not text.endswith(END):
+            text += os.read(ours, 65536)
+    os.close(theirs)
+    os.close(ours)
     assert run.returncode == 0
-    return text.decode().replace("\r\n", "\n").splitlines()
+    return text.removesuffix(END).decode().replace("\r\n", "\n").splitlines()
 
 
 def words_of(lines):

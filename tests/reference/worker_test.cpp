@@ -3,6 +3,7 @@
 // The worker program's refusals: what it says when it cannot be what its name promises.
 #include <gmock/gmock.h>
 
+#include "reference/egl_library.h"
 #include "run/renderers.h"
 #include "tests/reference/drawings.h"
 
@@ -77,6 +78,14 @@ TEST(Worker, AnUnknownContextIsUnavailable) {
     spec.command.argv = {spec.command.argv[0], name};
     EXPECT_THAT(failure_of(spec).reason, HasSubstr("known are osmesa, egl-surfaceless")) << name;
   }
+}
+
+TEST(EglLibrary, AnExtensionIsAWholeWordOfItsList) {
+  constexpr const char* kList = "EGL_EXT_device_drm_render_node EGL_EXT_device_query ";
+  EXPECT_TRUE(has_extension(kList, "EGL_EXT_device_query"));
+  EXPECT_FALSE(has_extension(kList, "EGL_EXT_device_drm"));
+  EXPECT_FALSE(has_extension(kList, ""));
+  EXPECT_FALSE(has_extension(nullptr, "EGL_EXT_device_query"));
 }
 
 TEST(Worker, ADeviceIsNamedByThreeLettersOrMore) {
