@@ -1,22 +1,18 @@
 # SPDX-License-Identifier: MIT
 """Help of every subcommand, the manual page and the completions, held against one another."""
-import fcntl
 import os
 import pathlib
-import pty
 import re
 import shlex
-import struct
 import subprocess
 import sys
-import termios
-import threading
 import unittest
 
 ROOT = pathlib.Path(os.environ["EDGECASE_ROOT"])
 sys.path.insert(0, str(ROOT / "tests" / "tools"))
 
 from support import EDGECASE, CommandTest  # noqa: E402
+from terminal import run_on_a_terminal  # noqa: E402
 
 SHARED = {"--help", "-h"}
 
@@ -38,28 +34,12 @@ class HelpTest(CommandTest):
         return {name for head in heads for name in head.split(",")} - SHARED
 
 
-END = b"\0"  # behind what the program printed
-
-
 def columns_on_a_terminal(*arguments, columns):
     """The lines of what the command prints on a terminal of this width."""
-    ours, theirs = pty.openpty()
-    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("4H", 40, columns, 0, 0))
-    text = b""
-    with subprocess.Popen([EDGECASE, *arguments], stdin=subprocess.DEVNULL, stdout=theirs) as run:
-
-        def tell_end():
-            run.wait()
-            os.write(theirs, END)
-
-        # Whoever closes a terminal may lose what was not read from it yet.
-        threading.Thread(target=tell_end).start()
-        while not text.endswith(END):
-            text += os.read(ours, 65536)
-    os.close(theirs)
-    os.close(ours)
-    assert run.returncode == 0
-    return text.removesuffix(END).decode().replace("\r\n", "\n").splitlines()
+    code, text = run_on_a_terminal([EDGECASE, *arguments], "stdout", columns,
+                                   stdin=subprocess.DEVNULL)
+    assert code == 0
+    return text.replace("\r\n", "\n").splitlines()
 
 
 def words_of(lines):

@@ -4,7 +4,6 @@ Progress is told on a terminal, and only there."""
 import json
 import os
 import pathlib
-import pty
 import signal
 import subprocess
 import sys
@@ -15,6 +14,7 @@ import xml.etree.ElementTree
 import results_file
 from support import (EDGECASE, PATIENCE, SUITE, UNEXPECTED, CommandTest, environment,
                      processes_that_mention, verdicts)
+from terminal import run_on_a_terminal
 
 SOON = 10  # seconds
 # Thousands of cases, far more than a nap each lets finish; all of the suite take seconds to load.
@@ -147,21 +147,11 @@ time.sleep(1000)
 
 class Progress(CommandTest):
     def errors_on_a_terminal(self, *arguments):
-        ours, theirs = pty.openpty()
-        running = subprocess.Popen([EDGECASE, "run", "cases", "--against",
-                                    self.odd_renderer("nap", "", "cases"), *arguments],
-                                   cwd=self.folder, env=environment(), stdout=subprocess.DEVNULL,
-                                   stderr=theirs)
-        os.close(theirs)
-        text = b""
-        try:
-            while chunk := os.read(ours, 4096):
-                text += chunk
-        except OSError:
-            pass  # the other end is closed
-        os.close(ours)
-        self.assertEqual(running.wait(timeout=PATIENCE), 0)
-        return text.decode()
+        code, text = run_on_a_terminal(
+            [EDGECASE, "run", "cases", "--against", self.odd_renderer("nap", "", "cases"),
+             *arguments], "stderr", cwd=self.folder, env=environment(), stdout=subprocess.DEVNULL)
+        self.assertEqual(code, 0)
+        return text
 
     def test_progress_on_a_terminal_only(self):
         self.write_cases("a", "b", "c")
