@@ -28,7 +28,7 @@ ExactSide::ExactSide(Rendering drawn)
 
 CaseComparison::CaseComparison(std::size_t count, const RunOptions& options)
     : policy_(options.policy),
-      profiles_(options.profiles.begin(), options.profiles.end()),
+      profiles_(options.profiles),
       made_(std::make_unique<std::once_flag[]>(count)),
       exact_(count) {}
 
@@ -42,10 +42,8 @@ const ExactSide& CaseComparison::exact(std::size_t index, const Scene& scene) {
 Result CaseComparison::compare_outcome(std::size_t index, const Case& one, Outcome outcome,
                                        const RendererInfo& info) {
   if (auto* failure = std::get_if<Failure>(&outcome)) return not_run(std::move(*failure));
-  const auto profile = profiles_.find(info.name);
   const auto& rendering = std::get<Rendering>(outcome);
-  const RendererFacts facts =
-      facts_of(info, profile != profiles_.end() ? &profile->second : nullptr);
+  const RendererFacts facts = facts_of(info, profiles_of(profiles_, info.name).resolved(info));
   Result result = compare_with_exact(index, one.scene, rendering, facts);
   if (std::ranges::find(one.tags, kRampTag) != one.tags.end())
     result.ramp = level_ramp(one.scene, policy_, rendering, facts);

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -47,7 +46,7 @@ class CaseComparison {
                             const RendererFacts& facts);
 
   const ResolvedPolicy policy_;
-  std::map<std::string, ResolvedPolicy> profiles_;
+  const Profiles profiles_;
   std::unique_ptr<std::once_flag[]> made_;
   std::vector<std::unique_ptr<const ExactSide>> exact_;  // by case; null: not made, or freed
 };

@@ -58,11 +58,15 @@ void add_policy(const Policy& policy, Digest& digest) {
     add_choices(choices, digest.add(name_of(surface)));
 }
 
-// Everything besides the cases that decides on results. Profiles count under their own names, so
-// that a recording has that of its renderer.
-std::string digest_of(const Policy& policy, const std::map<std::string, Policy>& profiles) {
+// Everything besides the cases that decides on results: the policy, and the profiles of the
+// renderers' releases. Profiles count under their own names, so that a recording has that of its
+// renderer.
+std::string digest_of(const Policy& policy, const Profiles& profiles,
+                      const std::vector<RendererInfo>& renderers) {
   std::map<std::string, const Policy*> by_name;
-  for (const auto& [renderer, profile] : profiles) by_name.emplace(profile.name, &profile);
+  for (const RendererInfo& info : renderers)
+    if (const Policy* profile = profiles_of(profiles, info.name).policy(info))
+      by_name.emplace(profile->name, profile);
   Digest digest;
   add_policy(policy, digest);
   for (const auto& [name, profile] : by_name) add_policy(*profile, digest);
@@ -329,7 +333,7 @@ class Run {
     Results results;
     results.policy = options_.policy.name;
     results.latitude = options_.policy.latitude;
-    results.policy_digest = digest_of(options_.policy, options_.profiles);
+    results.policy_digest = digest_of(options_.policy, options_.profiles, infos_);
     results.renderers = infos_;
     results.diagnostics = suite_.diagnostics;
     results.shard = suite_.share;

@@ -12,13 +12,13 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "results/durations.h"
 #include "results/known_faults.h"
 #include "results/results.h"
+#include "run/profiles.h"
 #include "run/renderers.h"
 #include "run/selection.h"
 
@@ -26,8 +26,8 @@ namespace edgecase {
 
 struct RunOptions {
   Policy policy;
-  std::vector<std::string> renderers;      // names that make_renderer knows
-  std::map<std::string, Policy> profiles;  // what some of them are measured to follow
+  std::vector<std::string> renderers;  // names that make_renderer knows
+  Profiles profiles;                   // of some of them
   RendererOptions renderer_options;
   int jobs = 1;                                            // threads, at least 1
   std::function<void(std::size_t, std::size_t)> progress;  // done, total; from any thread; or empty

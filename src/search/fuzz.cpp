@@ -50,7 +50,7 @@ class Search {
                                                  options.corpus)),
         start_(Clock::now()) {
     for (const FuzzRenderer& renderer : renderers_) {
-      screens_.emplace_back(renderer.policy, renderer.profile);
+      screens_.emplace_back(renderer.policy, renderer.profiles);
       ledgers_.emplace_back(renderer.policy.latitude, options.least);
     }
     waiting_.resize(renderers_.size());
@@ -196,7 +196,7 @@ class Search {
 
   Trial trial_of(std::size_t r, std::size_t worker) {
     return {*workers_[worker][r],
-            {renderers_[r].policy, renderers_[r].profile, ledgers_[r].readings(), options_.stop}};
+            {renderers_[r].policy, renderers_[r].profiles, ledgers_[r].readings(), options_.stop}};
   }
 
   void learn_known() {

@@ -25,6 +25,7 @@
 
 #include "model/policy.h"
 #include "model/renderer.h"
+#include "run/profiles.h"
 #include "search/find.h"
 #include "search/minimize.h"
 #include "search/scene_source.h"
@@ -36,7 +37,7 @@ struct FuzzRenderer {
   std::string name;                                 // as on the command line
   std::function<std::unique_ptr<Renderer>()> make;  // makes one for each thread
   Policy policy;                                    // of the exact side
-  std::optional<Policy> profile;                    // what it is measured to follow
+  ReleaseProfiles profiles;                         // what it is measured to follow
 };
 
 // Finds that are known in advance.

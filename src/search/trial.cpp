@@ -151,9 +151,7 @@ std::vector<std::size_t> by_size(std::span<const Scene> scenes) {
 }  // namespace
 
 Trial::Trial(Renderer& renderer, TrialOptions options)
-    : renderer_(renderer), options_(std::move(options)), policy_(options_.policy) {
-  if (options_.profile) profile_ = *options_.profile;
-}
+    : renderer_(renderer), options_(std::move(options)), policy_(options_.policy) {}
 
 void Trial::read(Surface surface, RunReading reading) {
   options_.readings.insert_or_assign(surface, std::move(reading));
@@ -184,7 +182,8 @@ std::vector<TrialAnswer> Trial::ask(std::span<const Scene> scenes) {
 Result Trial::compare_outcome(const Scene& scene, Outcome outcome) const {
   if (auto* failure = std::get_if<Failure>(&outcome)) return not_run(std::move(*failure));
   const auto& rendering = std::get<Rendering>(outcome);
-  const RendererFacts facts = facts_of(renderer_.info(), profile_ ? &*profile_ : nullptr);
+  const RendererFacts facts =
+      facts_of(renderer_.info(), options_.profiles.resolved(renderer_.info()));
   // The renderer may have other sample positions; exact then uses these, too.
   const Rendering exact = rasterize_without_details(scene, policy_, rendering.sample_positions);
   return compare(scene, policy_, exact, rendering, facts);
@@ -241,10 +240,8 @@ void lighten(Result& result) {
 
 }  // namespace
 
-Screen::Screen(Policy policy, std::optional<Policy> profile)
-    : policy_(std::move(policy)), resolved_(policy_) {
-  if (profile) profile_ = *profile;
-}
+Screen::Screen(Policy policy, ReleaseProfiles profiles)
+    : policy_(std::move(policy)), resolved_(policy_), profiles_(std::move(profiles)) {}
 
 Screening Screen::ask(Renderer& renderer, std::span<const Scene> scenes, bool coverage_only,
                       const std::atomic<bool>* stop) const {
@@ -263,8 +260,8 @@ Screening Screen::ask(Renderer& renderer, std::span<const Scene> scenes, bool co
     } else {
       ++screening.drawn;
     }
-    const int bits = renderer.info().subpixel_bits;
-    auto result = screened(scenes[order[k]], std::move(outcome), tasks[k].coverage_only, bits);
+    auto result =
+        screened(scenes[order[k]], std::move(outcome), tasks[k].coverage_only, renderer.info());
     if (!result) return;
     lighten(*result);
     screening.suspects.push_back({order[k], std::move(*result)});
@@ -274,23 +271,23 @@ Screening Screen::ask(Renderer& renderer, std::span<const Scene> scenes, bool co
 }
 
 std::optional<Result> Screen::screened(const Scene& scene, Outcome outcome, bool coverage_only,
-                                       int bits) const {
+                                       const RendererInfo& info) const {
   if (auto* failure = std::get_if<Failure>(&outcome)) {
     if (failure->kind == FailureKind::unsupported || failure->kind == FailureKind::unavailable)
       return std::nullopt;
     return not_run(std::move(*failure));
   }
   const auto& rendering = std::get<Rendering>(outcome);
-  if (coverage_only) return coverage_of(scene, rendering, bits);
+  if (coverage_only) return coverage_of(scene, rendering, info);
   const Rendering exact = rasterize_without_details(scene, resolved_, rendering.sample_positions);
-  const RendererFacts facts{bits, profile_ ? &*profile_ : nullptr};
+  const RendererFacts facts{info.subpixel_bits, profiles_.resolved(info)};
   Result result = compare(scene, resolved_, exact, rendering, facts);
   if (result.disagreements.empty() && result.values.empty()) return std::nullopt;
   return result;
 }
 
 std::optional<Result> Screen::coverage_of(const Scene& scene, const Rendering& rendering,
-                                          int bits) const {
+                                          const RendererInfo& info) const {
   const Surface surface = scene.target.surface;
   const RuleChoices& policy = resolved_.on(surface);
   const auto primitives = primitives_of(scene);
@@ -302,14 +299,15 @@ std::optional<Result> Screen::coverage_of(const Scene& scene, const Rendering& r
   std::vector<PrimitiveCoverage> coverage;
   for (std::size_t i = 0; i < primitives.size(); ++i)
     coverage.push_back({{std::move(covered[i])}, {std::move(drawn[i])}});
+  const ResolvedPolicy* profile = profiles_.resolved(info);
   Result result;
   compare_coverage({scene,
                     primitives,
                     coverage,
                     policy,
-                    profile_ ? &profile_->on(surface) : nullptr,
+                    profile ? &profile->on(surface) : nullptr,
                     policy_.latitude,
-                    latitude_bits(bits),
+                    latitude_bits(info.subpixel_bits),
                     false,
                     {}},
                    result);

@@ -24,6 +24,7 @@
 #include "model/scene.h"
 #include "results/results.h"
 #include "rules/choices.h"
+#include "run/profiles.h"
 
 namespace edgecase {
 
@@ -74,8 +75,8 @@ struct TrialAnswer {
 };
 
 struct TrialOptions {
-  Policy policy;                  // of the exact side
-  std::optional<Policy> profile;  // what the renderer is measured to follow, if known
+  Policy policy;             // of the exact side
+  ReleaseProfiles profiles;  // what the renderer is measured to follow, if known
   // How scenes on a surface are read. On other surfaces each scene is read by itself.
   std::map<Surface, RunReading> readings;
   // Becomes true if the search should end; or null. Give it to the renderer as well, or the trial
@@ -110,7 +111,6 @@ class Trial {
   Renderer& renderer_;
   TrialOptions options_;
   ResolvedPolicy policy_;
-  std::optional<ResolvedPolicy> profile_;
   std::size_t asked_ = 0;
 };
 
@@ -135,8 +135,8 @@ struct Screening {
 
 class Screen {
  public:
-  // `profile`: what the renderer is measured to follow, if that is known.
-  Screen(Policy policy, std::optional<Policy> profile);
+  // `profiles`: what the renderer is measured to follow, if that is known.
+  Screen(Policy policy, ReleaseProfiles profiles);
 
   // `coverage_only`: only coverage is compared, on targets with one sample. Throws SearchStopped
   // (search/trial.h) once `stop` is true.
@@ -147,12 +147,13 @@ class Screen {
 
  private:
   std::optional<Result> screened(const Scene& scene, Outcome outcome, bool coverage_only,
-                                 int bits) const;
-  std::optional<Result> coverage_of(const Scene& scene, const Rendering& rendering, int bits) const;
+                                 const RendererInfo& info) const;
+  std::optional<Result> coverage_of(const Scene& scene, const Rendering& rendering,
+                                    const RendererInfo& info) const;
 
   Policy policy_;
   ResolvedPolicy resolved_;
-  std::optional<ResolvedPolicy> profile_;
+  ReleaseProfiles profiles_;
 };
 
 }  // namespace edgecase

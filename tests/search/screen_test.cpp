@@ -39,7 +39,7 @@ TEST(Screen, KeepsFewOfWhatIsAlikeAndWhatAllOfItShows) {
   const Scene scene = two_triangles();
   FaultyRenderer faulty(spoil);
   const Screening screening =
-      Screen({}, std::nullopt).ask(faulty, std::span(&scene, 1), false, nullptr);
+      Screen({}, ReleaseProfiles()).ask(faulty, std::span(&scene, 1), false, nullptr);
   ASSERT_EQ(screening.suspects.size(), 1u);
   const Result& kept = screening.suspects[0].result;
 
@@ -66,7 +66,7 @@ TEST(Screen, HasNoSuspectWhereNothingDiffers) {
   FaultyRenderer right(nullptr);
   for (const bool coverage_only : {false, true}) {
     const Screening screening =
-        Screen({}, std::nullopt).ask(right, std::span(&scene, 1), coverage_only, nullptr);
+        Screen({}, ReleaseProfiles()).ask(right, std::span(&scene, 1), coverage_only, nullptr);
     EXPECT_TRUE(screening.suspects.empty());
     EXPECT_EQ(screening.drawn, 1u);
   }

@@ -2,6 +2,7 @@
 """Renderers with names of their own, and edgecase.toml, which gives a project's commands what their
 own options do not say."""
 import json
+import pathlib
 import re
 import shutil
 import sys
@@ -88,6 +89,18 @@ class Names(ProjectTest):
         self.command("run", "raster/cases", "--policy", "profile", "--json", "p.json", "--against",
                      f"mine=exec:{sys.executable} moved.py", expect=None)
         self.assertEqual(self.told("p.json")["policy"], "profile of mine")
+
+    def test_a_release_has_its_own_profile(self):
+        self.copy_cases([f"{SUITE}/lines/short/zero-length.json"])
+        against = ("cases", "--against", "egl:softpipe")
+        before = self.results(*against)
+        version = re.search(r"Mesa ([0-9.]*[0-9])", before["renderers"][0]["version"])[1]
+        profile = json.loads(pathlib.Path(f"{SUITE}/profiles/egl-softpipe.json").read_text("utf-8"))
+        for release, same in ((f"{version}1", True), (version, False)):
+            self.write(f"cases/profiles/Mesa-{release}/egl-softpipe.json",
+                       {**profile, "name": "of a release"})
+            after = self.results(*against)
+            self.assertEqual(after["policy_digest"] == before["policy_digest"], same, release)
 
     def test_a_driver_has_its_faults_under_any_name(self):
         self.copy_cases([f"{SUITE}/lines/short/zero-length.json"])

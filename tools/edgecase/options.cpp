@@ -106,6 +106,22 @@ std::filesystem::path profile_file(const std::string& renderer, const Selection&
                     std::filesystem::path("profiles") / file_name_about(known_name_of(renderer)));
 }
 
+// The files of that name, by the folder of their release; "" is of no release. Those of the
+// selection's suite come before those of the installed suite.
+std::map<std::string, std::filesystem::path> profile_files(const std::string& name,
+                                                           const Selection& selection) {
+  std::map<std::string, std::filesystem::path> files;
+  for (const auto& suite : {suite_folder(selection), installed_suite()}) {
+    const std::filesystem::path folder = suite / "profiles";
+    if (is_file(folder / name)) files.emplace("", folder / name);
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+      if (is_file(entry.path() / name))
+        files.emplace(entry.path().filename().string(), entry.path() / name);
+  }
+  return files;
+}
+
 std::optional<Policy> read_policy(const std::filesystem::path& file) {
   LoadedPolicy loaded = load_policy(file, known_rules());
   print_diagnostics(loaded.diagnostics);
@@ -213,15 +229,16 @@ std::optional<Policy> PolicyOptions::load(const Selection& selection,
   return result;
 }
 
-std::optional<std::map<std::string, Policy>> load_profiles(
-    const Selection& selection, const std::vector<std::string>& renderers) {
-  std::map<std::string, Policy> profiles;
+std::optional<Profiles> load_profiles(const Selection& selection,
+                                      const std::vector<std::string>& renderers) {
+  Profiles profiles;
   for (const std::string& renderer : renderers) {
-    const auto file = profile_file(renderer, selection);
-    if (!is_file(file)) continue;
-    auto read = read_policy(file);
-    if (!read) return std::nullopt;
-    profiles.emplace(split_name(renderer).name, std::move(*read));
+    const std::string name = file_name_about(known_name_of(renderer));
+    for (const auto& [release, file] : profile_files(name, selection)) {
+      auto read = read_policy(file);
+      if (!read) return std::nullopt;
+      profiles[split_name(renderer).name].add(release, std::move(*read));
+    }
   }
   return profiles;
 }

@@ -6,12 +6,12 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <iosfwd>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "model/policy.h"
+#include "run/profiles.h"
 #include "run/selection.h"
 
 namespace edgecase {
@@ -59,11 +59,12 @@ struct PolicyOptions {
                              const std::vector<std::string>& renderers = {}) const;
 };
 
-// The renderers' profiles by name, from the suite's folder `profiles`. A missing one is no error:
-// its differences are explained without a profile. Prints an error and returns nothing for a faulty
-// file.
-std::optional<std::map<std::string, Policy>> load_profiles(
-    const Selection& selection, const std::vector<std::string>& renderers);
+// The renderers' profiles, from the suite's folder `profiles`: NAME.json there, and of a release
+// that has its own in a folder of the release's name (release_folder_of). A missing one is no
+// error: differences are explained without a profile. Prints an error and returns nothing for a
+// faulty file.
+std::optional<Profiles> load_profiles(const Selection& selection,
+                                      const std::vector<std::string>& renderers);
 
 // The folder of known faults, below the suite's.
 constexpr const char* kKnownFolder = "known";

@@ -36,7 +36,7 @@ ExitCode exit_code_of(const ResultOutline& answer) {
   return ExitCode::unexpected;
 }
 
-RunOptions run_options(const Policy& policy, const std::map<std::string, Policy>& profiles,
+RunOptions run_options(const Policy& policy, const Profiles& profiles,
                        const SuiteRunOptions& options) {
   RunOptions run;
   run.policy = policy;
@@ -133,8 +133,7 @@ std::vector<std::string> SuiteRunOptions::named() const {
 }
 
 std::optional<Results> run_against(const Suite& suite, const Policy& policy,
-                                   const std::map<std::string, Policy>& profiles,
-                                   SuiteRunOptions options) {
+                                   const Profiles& profiles, SuiteRunOptions options) {
   options.renderers = options.named();
   if (!are_known(options.renderers)) return std::nullopt;
   RunOptions run = run_options(policy, profiles, options);
@@ -143,8 +142,8 @@ std::optional<Results> run_against(const Suite& suite, const Policy& policy,
 }
 
 std::optional<Results> run_judged(const Suite& suite, const Policy& policy,
-                                  const std::map<std::string, Policy>& profiles,
-                                  SuiteRunOptions options, JudgedRun judged) {
+                                  const Profiles& profiles, SuiteRunOptions options,
+                                  JudgedRun judged) {
   options.renderers = options.named();
   if (!are_known(options.renderers)) return std::nullopt;
   RunOptions run = run_options(policy, profiles, options);

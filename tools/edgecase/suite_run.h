@@ -44,8 +44,7 @@ bool are_known(const std::vector<std::string>& renderers);
 // Runs the suite. Prints an error and returns nothing when a renderer's name is unknown or given
 // twice.
 std::optional<Results> run_against(const Suite& suite, const Policy& policy,
-                                   const std::map<std::string, Policy>& profiles,
-                                   SuiteRunOptions options);
+                                   const Profiles& profiles, SuiteRunOptions options);
 
 // What `run` does beyond drawing: known faults, and what hangs on them.
 struct JudgedRun {
@@ -62,8 +61,8 @@ struct JudgedRun {
 // were asked for again, and of an earlier run how much was taken over; one that is not the same in
 // policy, renderers or selection is an error, printed.
 std::optional<Results> run_judged(const Suite& suite, const Policy& policy,
-                                  const std::map<std::string, Policy>& profiles,
-                                  SuiteRunOptions options, JudgedRun judged);
+                                  const Profiles& profiles, SuiteRunOptions options,
+                                  JudgedRun judged);
 
 // The known faults in `folder`, which may be missing, or in the files and folders named; those of
 // one driver are joined. Beside those of the installed suite, the folder `known` here counts.

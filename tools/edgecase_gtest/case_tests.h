@@ -9,7 +9,6 @@
 // then report the results, so a test takes no time of its own.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -21,7 +20,7 @@ namespace edgecase {
 struct CaseTests {
   Suite suite;
   Policy policy;
-  std::map<std::string, Policy> profiles;
+  Profiles profiles;
   SuiteRunOptions run;  // its renderers are named
   JudgedRun judged;     // without an earlier run
 };

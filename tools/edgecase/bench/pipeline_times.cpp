@@ -94,7 +94,7 @@ double fuzz_once(const std::string& renderer, std::size_t count) {
         make_renderer(renderer, options_for(renderer, 1).renderer_options));
   };
   const auto start = Clock::now();
-  fuzz({{renderer, make, {}, std::nullopt}}, options);
+  fuzz({{renderer, make, {}, {}}}, options);
   return seconds_since(start);
 }
 

@@ -71,8 +71,7 @@ std::optional<std::vector<FuzzRenderer>> renderers_of(const FuzzCommand& command
     FuzzRenderer renderer;
     renderer.name = split_name(name).name;
     renderer.policy = *policy;
-    if (const auto profile = profiles->find(renderer.name); profile != profiles->end())
-      renderer.profile = profile->second;
+    renderer.profiles = profiles_of(*profiles, renderer.name);
     renderer.make = [name, options] {
       return std::get<std::unique_ptr<Renderer>>(make_renderer(name, options));
     };

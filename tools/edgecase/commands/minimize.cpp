@@ -290,9 +290,7 @@ ExitCode run_minimize(const MinimizeCommand& command) {
   if (!original) return exit;
   TrialOptions options;
   options.policy = *policy;
-  if (const auto profile = profiles->find(split_name(command.renderer).name);
-      profile != profiles->end())
-    options.profile = profile->second;
+  options.profiles = profiles_of(*profiles, split_name(command.renderer).name);
   options.stop = &interrupted();
   return minimize_case(command, *original, options);
 }

@@ -26,10 +26,11 @@ ReportProfiles profiles_of(const Results& results) {
   for (const RendererInfo& info : results.renderers) {
     const auto found = load_profiles(suite, {known_as(info)});
     if (!found || found->empty()) continue;
-    const Policy& policy = found->begin()->second;
+    const Policy* policy = found->begin()->second.policy(info);
+    if (policy == nullptr) continue;
     auto& places = told[info.name];
-    places[""] = policy.rules;
-    for (const auto& [surface, choices] : policy.surfaces) places[name_of(surface)] = choices;
+    places[""] = policy->rules;
+    for (const auto& [surface, choices] : policy->surfaces) places[name_of(surface)] = choices;
   }
   return told;
 }
