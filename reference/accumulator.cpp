@@ -53,7 +53,7 @@ bool Accumulator::make_image(Image& image) {
   image.texture = make_texture(*gl_);
   gl_->ActiveTexture(kSourceUnit);
   gl_->BindTexture(GL_TEXTURE_2D, image.texture.name());
-  gl_->TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA32F, width_, height_);
+  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width_, height_, 0, GL_RGBA, GL_FLOAT, nullptr);
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   gl_->BindTexture(GL_TEXTURE_2D, 0);
@@ -144,7 +144,7 @@ void Accumulator::set_state() {
 void Accumulator::draw(const GlProgram& program, double number, const Image& from, GLuint to) {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, to);
   gl_->UseProgram(program.name());
-  gl_->Uniform1f(kNumberUniform, static_cast<float>(number));
+  gl_->Uniform1f(program.location(kNumberUniform), static_cast<float>(number));
   gl_->ActiveTexture(kSourceUnit);
   gl_->BindTexture(GL_TEXTURE_2D, from.texture.name());
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);

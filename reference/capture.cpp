@@ -126,7 +126,51 @@ FragmentDetail to_detail(const TexturedRecord& record) {
   return detail;
 }
 
+template <class AnyRecord>
+void append(const AnyRecord& record, Rendering& rendering) {
+  Fragment& fragment = rendering.fragments.emplace_back();
+  fill(record, rendering.samples > 1, fragment);
+  if constexpr (!std::is_same_v<AnyRecord, Record>) {
+    fragment.detail = static_cast<int>(rendering.details.size());
+    rendering.details.push_back(to_detail(record));
+  }
+}
+
+template <class AnyRecord>
+void append_words(std::span<const std::uint32_t> words, Rendering& rendering) {
+  AnyRecord record;
+  std::memcpy(&record, words.data(), sizeof(record));
+  append(record, rendering);
+}
+
+std::size_t size_of(Capture::Form form) {
+  switch (form) {
+    case Capture::Form::plain:
+      return sizeof(Record);
+    case Capture::Form::detailed:
+      return sizeof(DetailedRecord);
+    case Capture::Form::textured:
+      return sizeof(TexturedRecord);
+  }
+  return sizeof(Record);
+}
+
 }  // namespace
+
+std::size_t words_of(Capture::Form form) {
+  return size_of(form) / sizeof(std::uint32_t);
+}
+
+void append_record(Capture::Form form, std::span<const std::uint32_t> words, Rendering& rendering) {
+  switch (form) {
+    case Capture::Form::plain:
+      return append_words<Record>(words, rendering);
+    case Capture::Form::detailed:
+      return append_words<DetailedRecord>(words, rendering);
+    case Capture::Form::textured:
+      return append_words<TexturedRecord>(words, rendering);
+  }
+}
 
 Capture::Capture(const GladGLContext& gl, Form form)
     : gl_(gl), form_(form), buffer_(make_buffer(gl)) {
@@ -136,7 +180,7 @@ Capture::Capture(const GladGLContext& gl, Form form)
   const std::size_t bytes = block_size > 0 ? static_cast<std::size_t>(block_size) : 0;
   if (bytes > kHeaderSize)
     limit_ =
-        static_cast<std::uint32_t>(std::min(bytes - kHeaderSize, kLargestSize) / record_size());
+        static_cast<std::uint32_t>(std::min(bytes - kHeaderSize, kLargestSize) / size_of(form_));
   grow(std::min(kFirstCapacity, limit_));
 }
 
@@ -144,7 +188,7 @@ void Capture::grow(std::uint32_t count) {
   capacity_ = count;
   gl_.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer_.name());
   gl_.BufferData(GL_SHADER_STORAGE_BUFFER,
-                 static_cast<GLsizeiptr>(kHeaderSize + capacity_ * record_size()), nullptr,
+                 static_cast<GLsizeiptr>(kHeaderSize + capacity_ * size_of(form_)), nullptr,
                  GL_DYNAMIC_READ);
 }
 
@@ -163,18 +207,6 @@ std::uint32_t Capture::count() {
   return result;
 }
 
-std::size_t Capture::record_size() const {
-  switch (form_) {
-    case Form::plain:
-      return sizeof(Record);
-    case Form::detailed:
-      return sizeof(DetailedRecord);
-    case Form::textured:
-      return sizeof(TexturedRecord);
-  }
-  return sizeof(Record);
-}
-
 template <class AnyRecord>
 void Capture::read_records(std::uint32_t count, Rendering& rendering) {
   // Zeros, since a GL that raises an error leaves them unwritten.
@@ -183,18 +215,10 @@ void Capture::read_records(std::uint32_t count, Rendering& rendering) {
     lost_ = true;
     return;
   }
-  const bool multisampled = rendering.samples > 1;
   constexpr bool kDetailed = !std::is_same_v<AnyRecord, Record>;
   rendering.fragments.reserve(count);
   rendering.details.reserve(kDetailed ? count : 0);
-  for (const std::uint32_t i : sorted<AnyRecord>(records, rendering)) {
-    Fragment& fragment = rendering.fragments.emplace_back();
-    fill(records[i], multisampled, fragment);
-    if constexpr (kDetailed) {
-      fragment.detail = static_cast<int>(rendering.details.size());
-      rendering.details.push_back(to_detail(records[i]));
-    }
-  }
+  for (const std::uint32_t i : sorted<AnyRecord>(records, rendering)) append(records[i], rendering);
 }
 
 void Capture::read(std::uint32_t count, Rendering& rendering) {

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "model/rendering.h"
 #include "reference/gl_objects.h"
@@ -47,7 +48,6 @@ class Capture {
   bool lost() const { return lost_; }
 
  private:
-  std::size_t record_size() const;
   template <class Record>
   void read_records(std::uint32_t count, Rendering& rendering);
 
@@ -58,5 +58,12 @@ class Capture {
   std::uint32_t capacity_ = 0;
   bool lost_ = false;
 };
+
+// The number of words of a record, of 32 bits each.
+std::size_t words_of(Capture::Form form);
+
+// Appends the fragment of a record, words_of(form) words in its order, to a rendering with a known
+// number of samples.
+void append_record(Capture::Form form, std::span<const std::uint32_t> words, Rendering& rendering);
 
 }  // namespace edgecase

@@ -65,17 +65,20 @@ GLenum mode_of(Primitive primitive) {
   return GL_POINTS;
 }
 
-void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw) {
+void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw,
+               const GlProgram& program) {
   // GL_RASTERIZER_DISCARD is omitted: nothing here enables it, and a driver without transform
   // feedback raises an error (zink over SwiftShader).
   constexpr GLenum kSwitchedOff[] = {GL_CULL_FACE,       GL_STENCIL_TEST,
                                      GL_DITHER,          GL_POLYGON_OFFSET_FILL,
-                                     GL_SAMPLE_COVERAGE, GL_SAMPLE_ALPHA_TO_COVERAGE,
-                                     GL_SAMPLE_MASK};
+                                     GL_SAMPLE_COVERAGE, GL_SAMPLE_ALPHA_TO_COVERAGE};
   for (GLenum off : kSwitchedOff) gl.Disable(off);
+  // OpenGL ES 3.0 has no masks of samples.
+  if (gl.SampleMaski != nullptr) gl.Disable(GL_SAMPLE_MASK);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   if (is_es(gl))
-    gl.Uniform1f(kPointSizeUniform, static_cast<float>(draw.point_size.to_double()));
+    gl.Uniform1f(program.location(kPointSizeUniform),
+                 static_cast<float>(draw.point_size.to_double()));
   else
     set_desktop_state(gl, draw);
   gl.LineWidth(static_cast<float>(draw.line_width.to_double()));

@@ -6,15 +6,17 @@
 #include <glad/gl.h>
 
 #include "model/scene.h"
+#include "reference/gl_objects.h"
 
 namespace edgecase {
 
 GLenum mode_of(Primitive primitive);
 
 // Sets the whole state of a draw without fragment operations, except blending and uniforms, which
-// belong to the pass. reference/fragment_state.h has the rest. The program must be in use already:
-// in OpenGL ES, the size of points is a uniform.
-void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw);
+// belong to the pass. reference/fragment_state.h has the rest. `program` must be in use already: in
+// OpenGL ES, the size of points is a uniform.
+void set_state(const GladGLContext& gl, const Scene& scene, const Draw& draw,
+               const GlProgram& program);
 
 // Sets how a draw uses the samples of a target. Call it after set_state, and restore the default, a
 // context's initial state, before anything else is drawn: drivers without multisampled targets need

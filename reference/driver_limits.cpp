@@ -14,6 +14,25 @@ namespace edgecase {
 
 namespace {
 
+// What OpenGL before 4.4 has by extensions; es_limits.cpp has those of OpenGL ES.
+std::string sample_feature_limit(const Scene& scene, const DriverLimits& limits) {
+  const Target& target = scene.target;
+  if (!limits.tells_samples)
+    return "fragments do not tell their samples on this driver: it lacks GL_ARB_gpu_shader5";
+  const bool packed = target.depth != DepthFormat::none;
+  if (target.stencil != StencilFormat::none &&
+      !(packed ? limits.fetches_packed_stencils : limits.fetches_stencils))
+    return fmt::format("samples' stencils cannot be read on this driver: it lacks {}",
+                       packed ? "GL_ARB_stencil_texturing" : "GL_ARB_texture_stencil8");
+  const auto shades = [](const Draw& draw) {
+    return draw.multisampling.min_sample_shading.has_value();
+  };
+  if (!limits.shades_samples && std::any_of(scene.draws.begin(), scene.draws.end(), shades))
+    return "samples cannot be made to have invocations of their own on this driver: it lacks "
+           "GL_ARB_sample_shading";
+  return "";
+}
+
 std::string sample_limit(const Scene& scene, const DriverLimits& limits) {
   const Target& target = scene.target;
   // Drawing elsewhere would follow another surface's rules.
@@ -21,6 +40,8 @@ std::string sample_limit(const Scene& scene, const DriverLimits& limits) {
     return "passes cannot be accumulated in a window: its colours have 8 bits";
   if (target.samples == 1) return "";
   if (target.surface == Surface::window) return "a window's samples cannot be chosen";
+  if (limits.es && !limits.es->sampled_textures)
+    return "OpenGL ES 3.0 has no multisampled textures, of which samples are read";
   if (limits.sample_counts.empty()) return "this driver has no multisampled targets";
   const auto& counts = limits.sample_counts;
   if (std::find(counts.begin(), counts.end(), target.samples) == counts.end())
@@ -29,7 +50,7 @@ std::string sample_limit(const Scene& scene, const DriverLimits& limits) {
   if (!target.sample_positions.empty() && !limits.places_samples)
     return "samples cannot be placed on this driver: it lacks GL_ARB_sample_locations";
   if (!scene.textures.empty()) return "textures are not drawn to multisampled targets";
-  return "";
+  return sample_feature_limit(scene, limits);
 }
 
 std::string target_limit(const Scene& scene, const DriverLimits& limits) {
@@ -98,6 +119,27 @@ std::string draw_limit(const Draw& draw, const Target& target, const DriverLimit
   return "";
 }
 
+// What shaders before OpenGL 4.3 and OpenGL ES 3.1 have by extensions, and what is told of fragments
+// only by shaders that write to buffers.
+std::string word_limit(const Scene& scene, const DriverLimits& limits) {
+  if (limits.writes_storage) return "";
+  if (scene.details.derivatives && !limits.derives_fine_and_coarse)
+    return "there are no fine and no coarse derivatives on this driver: it lacks "
+           "GL_ARB_derivative_control";
+  for (const Draw& draw : scene.draws) {
+    if (draw.texture && draw.texture->lookup.kind == LookupKind::implicit &&
+        !limits.queries_level_of_detail)
+      return fmt::format("levels of detail are not told on this driver: it lacks {}",
+                         limits.es ? "GL_EXT_texture_query_lod" : "GL_ARB_texture_query_lod");
+    const Multisampling& use = draw.multisampling;
+    if (scene.target.samples > 1 && use.enabled && use.alpha_to_coverage &&
+        (use.min_sample_shading || use.location == AttributeLocation::sample))
+      return "alpha to coverage may take invocations of samples away on this driver, which "
+             "fragments do not tell: it lacks GL_ARB_shader_storage_buffer_object";
+  }
+  return "";
+}
+
 bool takes_saturated_destinations(const GladGLContext& gl) {
   gl.BlendFunc(GL_ONE, GL_SRC_ALPHA_SATURATE);
   const bool takes = take_error(gl) == GL_NO_ERROR;
@@ -139,6 +181,10 @@ DriverLimits stated_limits(const GladGLContext& gl) {
   limits.clamps_polygon_offset =
       gl.VERSION_4_6 || gl.ARB_polygon_offset_clamp || gl.EXT_polygon_offset_clamp;
   limits.saturates_destinations = gl.ARB_blend_func_extended != 0;
+  limits.tells_samples = gl.VERSION_4_0 || gl.ARB_gpu_shader5;
+  limits.shades_samples = gl.MinSampleShading != nullptr;
+  limits.fetches_packed_stencils = gl.VERSION_4_3 || gl.ARB_stencil_texturing;
+  limits.fetches_stencils = gl.VERSION_4_4 || gl.ARB_texture_stencil8;
   // Wide lines are deprecated, and an error in forward-compatible contexts.
   GLint flags = 0;
   gl.GetIntegerv(GL_CONTEXT_FLAGS, &flags);
@@ -155,7 +201,7 @@ std::string limit_exceeded_by(const Scene& scene, const DriverLimits& limits) {
   for (const Draw& draw : scene.draws)
     if (std::string problem = draw_limit(draw, scene.target, limits); !problem.empty())
       return problem;
-  return "";
+  return word_limit(scene, limits);
 }
 
 std::string text_of_range(const std::array<float, 2>& range) {

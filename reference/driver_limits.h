@@ -30,6 +30,16 @@ struct DriverLimits {
   std::array<bool, 2> provoking{true, true};  // by ProvokingVertex: setting it works
   std::vector<int> sample_counts;             // of multisampled targets; empty: there are none
   bool places_samples = false;                // at positions requested by a case
+  bool tells_samples = true;                  // gl_SampleMaskIn, and the qualifier sample
+  bool shades_samples = true;                 // glMinSampleShading
+  // Stencils of multisampled targets can be fetched: with a depth buffer, and alone.
+  bool fetches_packed_stencils = true;
+  bool fetches_stencils = true;
+  // Found by experiment, of a context without storage blocks, where nothing is left out of what a
+  // scene requests: textureQueryLod, and fine and coarse derivatives.
+  bool writes_storage = true;
+  bool queries_level_of_detail = true;
+  bool derives_fine_and_coarse = true;
   bool clamps_polygon_offset = false;
   bool saturates_destinations = false;  // by src_alpha_saturate
   std::optional<EsFeatures> es;         // of an OpenGL ES context; nothing for OpenGL

@@ -124,16 +124,15 @@ EGLConfig find_config(const EglFunctions& egl, EGLDisplay display, GlApi api) {
   return found == configs.end() ? nullptr : *found;
 }
 
-// The newest version that the display offers; capturing fragments needs OpenGL 4.3 or OpenGL ES
-// 3.1.
+// The newest version that the display offers.
 EGLContext create_context(const EglFunctions& egl, EGLDisplay display, EGLConfig config,
                           GlApi api) {
   struct Version {
     EGLint major;
     EGLint minor;
   };
-  constexpr Version kCore[] = {{4, 6}, {4, 5}, {4, 3}, {3, 3}};
-  constexpr Version kEs[] = {{3, 2}, {3, 1}};
+  constexpr Version kCore[] = {{4, 6}, {4, 5}, {4, 3}, {4, 2}, {4, 1}, {4, 0}, {3, 3}};
+  constexpr Version kEs[] = {{3, 2}, {3, 1}, {3, 0}};
   const bool is_core = api == GlApi::opengl;
   for (const auto& [major, minor] : is_core ? std::span<const Version>(kCore) : kEs) {
     // Only OpenGL has profiles: for OpenGL ES the list ends before them.
@@ -169,7 +168,7 @@ ContextResult make_context(const EglFunctions& egl, EGLDisplay display, GlApi ap
   const EGLContext context = create_context(egl, display, config, api);
   if (context == EGL_NO_CONTEXT)
     return ContextError{place + (is_core ? " offers no OpenGL core context of version 3.3 or later"
-                                         : " offers no OpenGL ES context of version 3.1 or later")};
+                                         : " offers no OpenGL ES context of version 3.0 or later")};
   result->set_context(context, config);
   return result;
 }

@@ -115,6 +115,7 @@ EsFeatures es_features(const GladGLContext& gl) {
   const bool is_3_2 = gl.ES_VERSION_3_2 != 0;
   EsFeatures features;
   features.noperspective = gl.NV_shader_noperspective_interpolation != 0;
+  features.sampled_textures = gl.ES_VERSION_3_1 != 0;
   features.samples =
       is_3_2 || (gl.OES_sample_variables != 0 && gl.OES_shader_multisample_interpolation != 0);
   features.sample_shading = gl.MinSampleShading != nullptr;

@@ -22,6 +22,7 @@ namespace edgecase {
 // The optional features of an OpenGL ES context, by its version and its extensions.
 struct EsFeatures {
   bool noperspective = false;   // interpolation without perspective
+  bool sampled_textures = true;  // textures of multisampled targets, of which samples are read
   bool samples = false;         // gl_SampleMaskIn, and the qualifier sample
   bool sample_shading = false;  // glMinSampleShading
   bool borders = false;         // wrapping by clamp_to_border

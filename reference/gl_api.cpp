@@ -8,11 +8,23 @@ bool load_functions(GladGLContext& gl, const GlContext& context) {
     return static_cast<const GlContext*>(user)->get_proc(name);
   };
   auto* user = const_cast<GlContext*>(&context);
-  if (context.api() == GlApi::opengl) return gladLoadGLContextUserPtr(&gl, load, user) != 0;
+  if (context.api() == GlApi::opengl) {
+    if (gladLoadGLContextUserPtr(&gl, load, user) == 0) return false;
+    // Part of OpenGL 4.0, and an identical extension before.
+    if (gl.MinSampleShading == nullptr) gl.MinSampleShading = gl.MinSampleShadingARB;
+    return true;
+  }
   if (gladLoadGLES2ContextUserPtr(&gl, load, user) == 0) return false;
   // Part of OpenGL ES 3.2, and an identical extension before.
   if (gl.MinSampleShading == nullptr) gl.MinSampleShading = gl.MinSampleShadingOES;
   return true;
+}
+
+bool has_storage_blocks(const GladGLContext& gl) {
+  GLint blocks = 0;
+  if (gl.VERSION_4_3 != 0 || gl.ES_VERSION_3_1 != 0)
+    gl.GetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
+  return blocks > 0;
 }
 
 void set_depth_range(const GladGLContext& gl, float near, float far) {

@@ -20,9 +20,12 @@ inline bool is_es(const GladGLContext& gl) {
   return gl.ES_VERSION_2_0 != 0;
 }
 
-// Whether the version has shader storage blocks, which capture fragments. A driver may still have
-// none for fragment shaders.
-inline bool has_storage_blocks(const GladGLContext& gl) {
+// Whether fragment shaders have storage blocks, to which they write what they tell. Versions before
+// OpenGL 4.3 and OpenGL ES 3.1 have none, and later ones need not have them for this stage.
+bool has_storage_blocks(const GladGLContext& gl);
+
+// Whether shaders number their uniforms and texture units: OpenGL 4.3, OpenGL ES 3.1.
+inline bool has_uniform_layouts(const GladGLContext& gl) {
   return gl.VERSION_4_3 != 0 || gl.ES_VERSION_3_1 != 0;
 }
 

@@ -6,6 +6,9 @@
 
 #include <glad/gl.h>
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace edgecase {
@@ -64,9 +67,27 @@ using GlVertexArray = GlObject<VertexArrayKind>;
 using GlRenderbuffer = GlObject<RenderbufferKind>;
 using GlFramebuffer = GlObject<FramebufferKind>;
 using GlShader = GlObject<ShaderKind>;
-using GlProgram = GlObject<ProgramKind>;
 using GlTexture = GlObject<TextureKind>;
 using GlSampler = GlObject<SamplerKind>;
+
+// A program and the locations of its uniforms, which shaders number from 0 on. GLSL without
+// explicit locations chooses its own (reference/uniform_layouts.h).
+class GlProgram : public GlObject<ProgramKind> {
+ public:
+  static constexpr std::size_t kUniforms = 8;  // numbers are below
+
+  using GlObject::GlObject;
+
+  // The location of a uniform; -1, which the GL ignores, if the program has none of this number.
+  GLint location(GLint number) const {
+    return chosen_ ? (*chosen_)[static_cast<std::size_t>(number)] : number;
+  }
+  // The locations that GLSL chose, by number.
+  void set_locations(const std::array<GLint, kUniforms>& chosen) { chosen_ = chosen; }
+
+ private:
+  std::optional<std::array<GLint, kUniforms>> chosen_;  // nothing: locations are the numbers
+};
 
 inline GlBuffer make_buffer(const GladGLContext& gl) {
   GLuint name = 0;

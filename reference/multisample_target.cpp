@@ -138,6 +138,7 @@ std::string settle_samples(const GladGLContext& gl, const Target& target,
 
 std::vector<int> find_sample_counts(const GladGLContext& gl) {
   std::vector<int> counts;
+  if (is_es(gl) && !gl.ES_VERSION_3_1) return counts;  // it has no multisampled textures
   for (int samples : {2, 4, 8, 16}) {
     Target target;
     target.width = target.height = 1;
@@ -151,7 +152,7 @@ std::vector<int> find_sample_counts(const GladGLContext& gl) {
 }
 
 bool can_place_samples(const GladGLContext& gl) {
-  return gl.ARB_sample_locations != 0;
+  return gl.ARB_sample_locations != 0 && gl.FramebufferParameteri != nullptr;
 }
 
 bool fits(const MultisampleTarget& made, const Target& target) {

@@ -108,7 +108,7 @@ ContextResult make_osmesa_context() {
   OsmesaFunctions functions;
   if (!functions.load(library))
     return ContextError{"OSMesa is too old: it lacks OSMesaCreateContextAttribs"};
-  constexpr int kVersions[][2] = {{4, 6}, {4, 5}, {4, 3}, {3, 3}};
+  constexpr int kVersions[][2] = {{4, 6}, {4, 5}, {4, 3}, {4, 2}, {3, 3}};
   for (const auto& [major, minor] : kVersions)
     if (OSMesaContext context = create_core_context(functions, major, minor))
       return std::make_unique<OsmesaContext>(functions, context);

@@ -3,8 +3,10 @@
 
 #include <vector>
 
+#include "reference/gl_api.h"
 #include "reference/shader_heads.h"
 #include "reference/shaders.h"
+#include "reference/uniform_layouts.h"
 
 namespace edgecase {
 
@@ -51,9 +53,13 @@ GlShader compile(const GladGLContext& gl, GLenum stage, const std::string& sourc
 }
 
 // Sources start with a version. Does nothing if the log has an earlier failure.
-GlProgram link_sources(const GladGLContext& gl, const std::string& vertex_source,
-                       const std::string& fragment_source, std::string& log) {
+GlProgram link_sources(const GladGLContext& gl, std::string vertex_source,
+                       std::string fragment_source, std::string& log) {
   if (!log.empty()) return {};
+  std::vector<UniformLayout> layouts;
+  if (!has_uniform_layouts(gl))
+    for (std::string* source : {&vertex_source, &fragment_source})
+      take_uniform_layouts(*source, layouts);
   GlProgram program(gl, gl.CreateProgram());
   const GlShader vertex = compile(gl, GL_VERTEX_SHADER, vertex_source, log);
   const GlShader fragment = compile(gl, GL_FRAGMENT_SHADER, fragment_source, log);
@@ -63,7 +69,10 @@ GlProgram link_sources(const GladGLContext& gl, const std::string& vertex_source
   gl.LinkProgram(program.name());
   GLint linked = GL_FALSE;
   gl.GetProgramiv(program.name(), GL_LINK_STATUS, &linked);
-  if (linked == GL_TRUE) return program;
+  if (linked == GL_TRUE) {
+    if (!has_uniform_layouts(gl)) apply_uniform_layouts(gl, layouts, program);
+    return program;
+  }
   std::vector<char> text(4096, '\0');
   gl.GetProgramInfoLog(program.name(), static_cast<GLsizei>(text.size()) - 1, nullptr, text.data());
   log = text.data();
@@ -82,11 +91,13 @@ Programs link_form(const GladGLContext& gl, const std::string& at, const std::st
                    std::string& log) {
   Programs programs;
   const std::string version = head_of_fragments(gl);
+  const std::string capture =
+      (has_storage_blocks(gl) ? kStorage : kWords) + head + kCaptureShader;
   programs.color = link(gl, at, version, head + kColorShader, log);
-  programs.capture = link(gl, at, version, head + kCaptureShader, log);
+  programs.capture = link(gl, at, version, capture, log);
   if (!log.empty()) return programs;
   // Details include fine and coarse derivatives if the driver compiles them.
-  const std::string details = kDetails + head + kCaptureShader;
+  const std::string details = kDetails + capture;
   for (const std::string& fine : fine_heads_of_fragments(gl)) {
     std::string refusal;
     programs.details = link(gl, at, fine, details, refusal);
@@ -136,8 +147,8 @@ std::variant<Programs, ProgramError> make_sampled_programs(const GladGLContext& 
 bool can_query_level_of_detail(const GladGLContext& gl) {
   std::string log;
   const std::string main = "void main() { gl_FragDepth = queried(gl_FragCoord).y; }\n";
-  compile(gl, GL_FRAGMENT_SHADER,
-          head_of_fragments(gl) + lookup_head({2, LookupKind::implicit}, true) + main, log);
+  link_sources(gl, head_of_vertices(gl) + kEverywhere,
+               head_of_fragments(gl) + lookup_head({2, LookupKind::implicit}, true) + main, log);
   return log.empty();
 }
 

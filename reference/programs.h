@@ -35,13 +35,14 @@ constexpr GLuint kPositionAttribute = 0;   // vec4, clip coordinates
 constexpr GLuint kColorAttribute = 1;      // vec4
 constexpr GLuint kPrimitiveAttribute = 2;  // int
 
-// Uniform locations of the fragment shaders.
+// Numbers of the fragment shaders' uniforms, of which GlProgram::location makes locations.
 constexpr GLint kInterpolationUniform = 0;  // int: which of the colours below is used
 constexpr GLint kCapacityUniform = 1;       // uint: the capacity of the capture's buffer in records
 constexpr GLint kStepUniform = 2;           // float: the count program's output
 constexpr GLint kLookupValueUniform = 3;    // float: for lookups by bias and by level of detail
 constexpr GLint kGradientsUniform = 4;      // vec4: ds/dx, dt/dx, ds/dy, dt/dy
 constexpr GLint kPointSizeUniform = 5;      // float, in the vertex shader, only in OpenGL ES
+constexpr GLint kPartUniform = 6;           // int: which part of a record is drawn as a colour
 
 constexpr GLint kFlatColor = 0;
 constexpr GLint kSmoothColor = 1;
@@ -50,10 +51,15 @@ constexpr GLint kNoperspectiveColor = 2;
 // Binding of the capture's buffer.
 constexpr GLuint kCaptureBinding = 0;
 
+// Texture unit of the image that limits which primitives are captured: reference/word_capture.h.
+constexpr GLuint kLimitsUnit = 2;
+
 struct Programs {
   GlProgram color;    // writes the fragment's colour
   GlProgram count;    // writes the step to red; in multisampled scenes, alpha as well
-  GlProgram capture;  // writes the colour, and appends a record: see reference/capture.h
+  // Writes the colour, and appends a record: see reference/capture.h. Without storage blocks it
+  // writes a part of the record instead of the colour: see reference/word_capture.h.
+  GlProgram capture;
   GlProgram details;  // the same with a detailed record
   // Whether that record has dFdxFine, dFdyFine, dFdxCoarse and dFdyCoarse. Without GLSL 4.50 and
   // GL_ARB_derivative_control they are zeros.
@@ -74,7 +80,7 @@ struct ProgramError {
 };
 
 // Compiles the four programs for scenes without textures. The context must be current and have at
-// least GL 4.3 or GL ES 3.1.
+// least GL 3.3 or GL ES 3.0.
 std::variant<Programs, ProgramError> make_programs(const GladGLContext& gl);
 
 // Compiles the four programs for multisampled scenes. Their records include the covered samples,
@@ -91,7 +97,8 @@ bool can_query_level_of_detail(const GladGLContext& gl);
 std::variant<Programs, ProgramError> make_texture_programs(const GladGLContext& gl, LookupForm form,
                                                            bool query);
 
-// Compiles one program of any two shaders, given without a version, in GLSL 4.30 or GLSL ES 3.10.
+// Compiles one program of any two shaders, given without a version, in GLSL 4.30 or GLSL ES 3.10 or,
+// where the context has less, without their layouts of uniforms.
 std::variant<GlProgram, ProgramError> make_program(const GladGLContext& gl,
                                                    const std::string& vertex,
                                                    const std::string& fragment);

@@ -84,8 +84,8 @@ void SampleReader::fetch(const MultisampleTarget& target, const GlTexture& image
   begin_sample_pass(*gl_, vertex_array_, target.width, target.planes * target.height);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, planes.name());
   gl_->UseProgram(fetch_.name());
-  gl_->Uniform1i(kHeightUniform, target.height);
-  gl_->Uniform1i(kFirstUniform, first);
+  gl_->Uniform1i(fetch_.location(kHeightUniform), target.height);
+  gl_->Uniform1i(fetch_.location(kFirstUniform), first);
   gl_->ActiveTexture(kImageOfSamples);
   gl_->BindTexture(GL_TEXTURE_2D_MULTISAMPLE, image.name());
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
@@ -142,7 +142,7 @@ void SampleReader::draw_depths(const GlFramebuffer& framebuffer, int width, int 
   gl_->DepthFunc(test);
   gl_->DepthMask(GL_TRUE);
   gl_->UseProgram(depth_.name());
-  gl_->Uniform1f(kScaleUniform, scale);
+  gl_->Uniform1f(depth_.location(kScaleUniform), scale);
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
 }
 

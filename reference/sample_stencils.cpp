@@ -63,8 +63,8 @@ void SampleStencils::fetch(const MultisampleTarget& target, int first) const {
   begin_sample_pass(*gl_, vertex_array_, target.width, target.planes * target.height);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target.float_planes.name());
   gl_->UseProgram(fetch_.name());
-  gl_->Uniform1i(kHeightUniform, target.height);
-  gl_->Uniform1i(kFirstUniform, first);
+  gl_->Uniform1i(fetch_.location(kHeightUniform), target.height);
+  gl_->Uniform1i(fetch_.location(kFirstUniform), first);
   gl_->ActiveTexture(kImageOfSamples);
   gl_->BindTexture(GL_TEXTURE_2D_MULTISAMPLE, target.depth_image.name());
   const bool packed = target.depth != DepthFormat::none;

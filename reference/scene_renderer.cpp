@@ -12,7 +12,6 @@
 #include "model/rendering_fields.h"
 #include "reference/depth_buffer.h"
 #include "reference/draw_state.h"
-#include "reference/fragment_state.h"
 #include "reference/gl_api.h"
 #include "reference/provoking_probe.h"
 #include "reference/read_back.h"
@@ -45,6 +44,11 @@ bool is_multisampled(const Scene& scene) {
   return scene.target.samples > 1;
 }
 
+Multisampling without_alpha(Multisampling multisampling) {
+  multisampling.alpha_to_coverage = false;
+  return multisampling;
+}
+
 // The nearest whole number. Most numbers are whole already, and need no function call.
 std::uint32_t hits_of(float steps) {
   constexpr float kEnd = 0x1p24f;
@@ -64,9 +68,7 @@ std::string text_of(const std::vector<int>& numbers) {
 
 SceneRenderer::Objects::Objects(const GladGLContext& gl, GlContext& context, Programs made)
     : programs(gl, std::move(made)),
-      capture(gl, Capture::Form::plain),
-      detailed_capture(gl, Capture::Form::detailed),
-      textured_capture(gl, Capture::Form::textured),
+      words(gl),
       targets(gl, context),
       textures(gl),
       accumulator(gl),
@@ -85,6 +87,9 @@ SceneRenderer::Objects::Objects(const GladGLContext& gl, GlContext& context, Pro
   for (GLuint attribute : {kPositionAttribute, kColorAttribute, kPrimitiveAttribute})
     gl.EnableVertexAttribArray(attribute);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  if (!has_storage_blocks(gl)) return;
+  for (const auto form : {Capture::Form::plain, Capture::Form::detailed, Capture::Form::textured})
+    captures[static_cast<std::size_t>(form)].emplace(gl, form);
 }
 
 SceneRenderer::SceneRenderer(GlContext& context) {
@@ -93,15 +98,6 @@ SceneRenderer::SceneRenderer(GlContext& context) {
     return;
   }
   describe(context);
-  GLint storage_blocks = 0;
-  if (has_storage_blocks(gl_))
-    gl_.GetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &storage_blocks);
-  if (storage_blocks == 0) {
-    problem_ = fmt::format(
-        "capturing fragments needs shader storage blocks ({}), and this context is {} without them",
-        is_es(gl_) ? "OpenGL ES 3.1" : "OpenGL 4.3", info_.version);
-    return;
-  }
   auto programs = make_programs(gl_);
   if (auto* error = std::get_if<ProgramError>(&programs)) {
     problem_ = error->message;
@@ -163,14 +159,16 @@ void SceneRenderer::describe(const GlContext& context) {
 }
 
 void SceneRenderer::describe_objects() {
-  queries_level_of_detail_ = can_query_level_of_detail(gl_);
-  info_.traits["capture"] = "ssbo";
+  limits_.writes_storage = has_storage_blocks(gl_);
+  limits_.queries_level_of_detail = can_query_level_of_detail(gl_);
+  info_.traits["capture"] = limits_.writes_storage ? "ssbo" : "words";
   info_.traits["derivatives"] =
       objects_->programs.plain().fine_and_coarse ? "plain fine coarse" : "plain";
-  info_.traits["level_of_detail"] = queries_level_of_detail_ ? "query" : "none";
+  info_.traits["level_of_detail"] = limits_.queries_level_of_detail ? "query" : "none";
   limits_.sample_counts = find_sample_counts(gl_);
   limits_.places_samples = can_place_samples(gl_);
   info_.traits["samples"] = text_of(limits_.sample_counts);
+  limits_.derives_fine_and_coarse = objects_->programs.plain().fine_and_coarse;
   limits_.anisotropy = objects_->textures.max_anisotropy();
   info_.traits["max_anisotropy"] = fmt::format("{:g}", limits_.anisotropy);
 }
@@ -182,43 +180,46 @@ void SceneRenderer::upload(const Scene& scene) {
                  vertices.data(), GL_STREAM_DRAW);
 }
 
-void SceneRenderer::set_lookup(const Scene& scene, const Draw& draw) {
+void SceneRenderer::set_lookup(const Scene& scene, const Draw& draw, const GlProgram& program) {
   if (!draw.texture) return;
   const Lookup& lookup = draw.texture->lookup;
   objects_->textures.bind(scene.textures[draw.texture->texture], draw.texture->sampler);
   if (lookup.kind == LookupKind::bias || lookup.kind == LookupKind::lod)
-    gl_.Uniform1f(kLookupValueUniform, lookup.value);
+    gl_.Uniform1f(program.location(kLookupValueUniform), lookup.value);
   if (lookup.kind == LookupKind::gradients)
-    gl_.Uniform4f(kGradientsUniform, lookup.dx[0], lookup.dx[1], lookup.dy[0], lookup.dy[1]);
+    gl_.Uniform4f(program.location(kGradientsUniform), lookup.dx[0], lookup.dx[1], lookup.dy[0],
+                  lookup.dy[1]);
 }
 
 void SceneRenderer::draw_all(const Scene& scene, const Pass& pass) {
-  const bool counts = pass.program == &Programs::count;
   const bool has_more_state = uses_fragment_state(scene);
-  const PassKind kind = counts                    ? PassKind::hits
-                        : pass.capture != nullptr ? PassKind::capture
-                                                  : PassKind::pixels;
   gl_.BindVertexArray(objects_->vertex_array.name());
   GLint first = 0;
   for (const Draw& draw : scene.draws) {
-    const Programs& programs = objects_->programs.find(scene, draw, pass.looks_up);
-    gl_.UseProgram((programs.*pass.program).name());
-    set_state(gl_, scene, draw);
-    if (is_multisampled(scene)) set_multisampling(gl_, draw.multisampling, scene.target.samples);
-    if (counts) {
+    const GlProgram& program =
+        objects_->programs.find(scene, draw, pass.looks_up).*pass.program;
+    gl_.UseProgram(program.name());
+    set_state(gl_, scene, draw, program);
+    if (is_multisampled(scene))
+      set_multisampling(gl_, pass.writes_all() ? without_alpha(draw.multisampling)
+                                               : draw.multisampling,
+                        scene.target.samples);
+    gl_.Disable(GL_BLEND);
+    if (has_more_state) set_fragment_state(gl_, scene, draw, pass.kind);
+    if (pass.counts()) {
       gl_.Enable(GL_BLEND);
       gl_.BlendEquation(GL_FUNC_ADD);
       gl_.BlendFunc(GL_ONE, GL_ONE);
-      gl_.Uniform1f(kStepUniform, pass.step);
-    } else {
-      gl_.Disable(GL_BLEND);
+      gl_.Uniform1f(program.location(kStepUniform), pass.step);
     }
-    if (has_more_state) set_fragment_state(gl_, scene, draw, kind);
     // Hits depend on colours if alpha determines the covered samples.
-    if (!counts || is_multisampled(scene))
-      gl_.Uniform1i(kInterpolationUniform, to_uniform(draw.interpolation));
-    if (pass.capture != nullptr) gl_.Uniform1ui(kCapacityUniform, pass.capture->capacity());
-    if (pass.looks_up) set_lookup(scene, draw);
+    if (!pass.counts() || is_multisampled(scene))
+      gl_.Uniform1i(program.location(kInterpolationUniform), to_uniform(draw.interpolation));
+    if (pass.capture != nullptr)
+      gl_.Uniform1ui(program.location(kCapacityUniform), pass.capture->capacity());
+    else if (pass.writes_all() && !pass.counts())
+      gl_.Uniform1i(program.location(kPartUniform), pass.part);
+    if (pass.looks_up) set_lookup(scene, draw, program);
     const auto count = static_cast<GLsizei>(draw.vertices.size());
     gl_.DrawArrays(mode_of(draw.primitive), first, count);
     if (pass.finishes) gl_.Finish();
@@ -267,19 +268,23 @@ std::vector<float> SceneRenderer::read_sums(const Surfaces& surfaces, const HitC
   return sums;
 }
 
-std::uint32_t SceneRenderer::count_hits(const Scene& scene, const Surfaces& surfaces,
-                                        Rendering& rendering) {
-  const HitCounter& counter =
-      surfaces.larger_count && has_pixel_of_more(rendering, surfaces.count.most_hits)
-          ? *surfaces.larger_count
-          : surfaces.count;
+const HitCounter& SceneRenderer::counter_of(const Surfaces& surfaces,
+                                            const Rendering& rendering) const {
+  return surfaces.larger_count && has_pixel_of_more(rendering, surfaces.count.most_hits)
+             ? *surfaces.larger_count
+             : surfaces.count;
+}
+
+std::vector<std::uint32_t> SceneRenderer::count_hits(const Scene& scene, const Surfaces& surfaces,
+                                                     PassKind kind, const Rendering& rendering) {
+  const HitCounter& counter = counter_of(surfaces, rendering);
   clear_for(scene, counter.framebuffer, {0, 0, 0, 0});
-  draw_all(scene, {&Programs::count, false, nullptr, counter.step});
+  draw_all(scene, {.program = &Programs::count, .kind = kind, .step = counter.step});
   const std::vector<float> sums = read_sums(surfaces, counter, rendering);
-  rendering.hits.resize(sums.size());
-  std::transform(sums.begin(), sums.end(), rendering.hits.begin(),
+  std::vector<std::uint32_t> hits(sums.size());
+  std::transform(sums.begin(), sums.end(), hits.begin(),
                  [&](float sum) { return hits_of(sum / counter.step); });
-  return counter.most_hits;
+  return hits;
 }
 
 std::optional<std::string> SceneRenderer::capture_fragments(const Scene& scene,
@@ -288,14 +293,19 @@ std::optional<std::string> SceneRenderer::capture_fragments(const Scene& scene,
                                                             Rendering& rendering) {
   const bool looks_up = is_textured(scene) && !coverage_only;
   const bool detailed = scene.details.any() && !coverage_only;
-  Capture& capture = !detailed  ? objects_->capture
-                     : looks_up ? objects_->textured_capture
-                                : objects_->detailed_capture;
+  const Capture::Form form = !detailed  ? Capture::Form::plain
+                             : looks_up ? Capture::Form::textured
+                                        : Capture::Form::detailed;
+  Pass pass{detailed ? &Programs::details : &Programs::capture, looks_up, PassKind::capture};
+  if (!limits_.writes_storage)
+    return capture_words(scene, surfaces, pass, form, coverage_only, rendering);
+  Capture& capture = *objects_->captures[static_cast<std::size_t>(form)];
+  pass.capture = &capture;
   gl_.BindFramebuffer(GL_FRAMEBUFFER, surfaces.color);
   // A second attempt has room for what the first one counted.
   for (int attempt = 0; attempt < 2; ++attempt) {
     capture.begin();
-    draw_all(scene, {detailed ? &Programs::details : &Programs::capture, looks_up, &capture});
+    draw_all(scene, pass);
     const std::uint32_t count = capture.count();
     if (count <= capture.capacity()) capture.read(count, rendering);
     if (capture.lost()) return "the captured fragments cannot be read";
@@ -320,7 +330,7 @@ void SceneRenderer::drop_details(const Scene& scene, Rendering& rendering) const
     for_each_field<FragmentDetail>([&](const auto& field) {
       if (!field.is_asked(scene.details, texture.has_value())) detail.*field.member = {};
     });
-    if (texture && !(queries_level_of_detail_ && texture->lookup.kind == LookupKind::implicit))
+    if (texture && !(limits_.queries_level_of_detail && texture->lookup.kind == LookupKind::implicit))
       detail.level_of_detail.reset();
   }
 }
@@ -360,7 +370,7 @@ std::optional<Failure> SceneRenderer::take_failure() const {
 }
 
 std::variant<Surfaces, Failure> SceneRenderer::prepare(const Scene& scene, bool looks_up) {
-  if (std::string problem = objects_->programs.prepare(scene, looks_up, queries_level_of_detail_);
+  if (std::string problem = objects_->programs.prepare(scene, looks_up, limits_.queries_level_of_detail);
       !problem.empty())
     return Failure{FailureKind::unsupported, std::move(problem)};
   auto found = objects_->targets.find(scene.target);
@@ -385,12 +395,14 @@ Outcome SceneRenderer::render(const Scene& scene, bool coverage_only) {
     rendering.sample_positions = surfaces.multisampled->positions;
   upload(scene);
   if (!coverage_only) draw_pixels(scene, surfaces, rendering);
-  const auto overflow = capture_fragments(scene, surfaces, coverage_only, rendering);
-  const std::uint32_t most_hits = count_hits(scene, surfaces, rendering);
+  auto problem = capture_fragments(scene, surfaces, coverage_only, rendering);
+  rendering.hits = count_hits(scene, surfaces, PassKind::hits, rendering);
+  const std::uint32_t most_hits = counter_of(surfaces, rendering).most_hits;
+  if (!limits_.writes_storage && !problem) problem = doubt_of_words(scene, surfaces, rendering);
   drop_details(scene, rendering);
   if (!coverage_only) report_mip_chains(scene, rendering);
   if (auto failure = take_failure()) return std::move(*failure);
-  if (overflow) return Failure{FailureKind::unsupported, *overflow};
+  if (problem) return Failure{FailureKind::unsupported, *problem};
   if (std::string doubt = doubt_of(scene, rendering, most_hits); !doubt.empty())
     return Failure{FailureKind::unsupported, std::move(doubt)};
   return rendering;

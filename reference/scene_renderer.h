@@ -4,7 +4,8 @@
 //
 // Three passes draw the same primitives with the same state: pixels (colours into RGBA8), hit
 // counts (added up by blending, reference/targets.h) and the capture (a record per fragment shader
-// invocation, reference/capture.h). Pixels and hit counts go through the fixed-function end of the
+// invocation, reference/capture.h; where shaders cannot write to buffers it is drawn in parts,
+// reference/word_capture.h). Pixels and hit counts go through the fixed-function end of the
 // pipeline and the capture does not, so they check each other: the reader of the answer refuses it
 // if they differ. If the target has a depth or a stencil buffer, all three passes have it, and it
 // is read after the first. With fragment operations, the first two have all tests and the capture
@@ -23,6 +24,7 @@
 // coordinates for which the loader has ensured that their clip coordinates are exact in float32.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -34,11 +36,13 @@
 #include "reference/accumulator.h"
 #include "reference/capture.h"
 #include "reference/driver_limits.h"
+#include "reference/fragment_state.h"
 #include "reference/gl_context.h"
 #include "reference/gl_objects.h"
 #include "reference/program_cache.h"
 #include "reference/targets.h"
 #include "reference/textures.h"
+#include "reference/word_capture.h"
 
 namespace edgecase {
 
@@ -75,10 +79,10 @@ class SceneRenderer {
   // GL objects, in the order in which they may be made. They exist only if `problem_` is empty.
   struct Objects {
     Objects(const GladGLContext& gl, GlContext& context, Programs made);
+    // By form; none without storage blocks.
+    std::array<std::optional<Capture>, 3> captures;
     ProgramCache programs;
-    Capture capture;
-    Capture detailed_capture;
-    Capture textured_capture;
+    WordCapture words;  // without storage blocks
     Targets targets;
     Textures textures;
     Accumulator accumulator;
@@ -90,9 +94,15 @@ class SceneRenderer {
   struct Pass {
     GlProgram Programs::*program = nullptr;
     bool looks_up = false;       // with the programs for textures
-    Capture* capture = nullptr;  // for passes that capture
-    float step = 1;              // for the pass that counts hits
+    PassKind kind = PassKind::pixels;
+    Capture* capture = nullptr;  // for a pass that captures into it
+    int part = 0;                // of a record, for a pass that captures without
+    float step = 1;              // for a pass that counts hits
     bool finishes = false;       // after each draw
+
+    bool counts() const { return program == &Programs::count; }
+    // Whether the target gets every fragment that reaches it, for a capture without storage blocks.
+    bool writes_all() const { return kind == PassKind::capture && capture == nullptr; }
   };
 
   // Makes the programs and framebuffers for a scene, or returns why there are none.
@@ -106,7 +116,7 @@ class SceneRenderer {
   // Finds by drawing which conventions for provoking vertices have an effect.
   void probe_provoking_vertices();
   void upload(const Scene& scene);
-  void set_lookup(const Scene& scene, const Draw& draw);
+  void set_lookup(const Scene& scene, const Draw& draw, const GlProgram& program);
   void draw_all(const Scene& scene, const Pass& pass);
   void clear_for(const Scene& scene, GLuint framebuffer, const Color& color);
   void draw_pixels(const Scene& scene, const Surfaces& surfaces, Rendering& rendering);
@@ -116,10 +126,23 @@ class SceneRenderer {
   // The red channel of the count.
   std::vector<float> read_sums(const Surfaces& surfaces, const HitCounter& counter,
                                const Rendering& rendering);
-  // The fragments must have been captured. Returns how many hits of a pixel could be counted.
-  std::uint32_t count_hits(const Scene& scene, const Surfaces& surfaces, Rendering& rendering);
+  // The fragments must have been captured.
+  const HitCounter& counter_of(const Surfaces& surfaces, const Rendering& rendering) const;
+  // Counts the fragments that pass their tests or, as a capture, all of them.
+  std::vector<std::uint32_t> count_hits(const Scene& scene, const Surfaces& surfaces, PassKind kind,
+                                        const Rendering& rendering);
   std::optional<std::string> capture_fragments(const Scene& scene, const Surfaces& surfaces,
                                                bool coverage_only, Rendering& rendering);
+  // The same without storage blocks.
+  std::optional<std::string> capture_words(const Scene& scene, const Surfaces& surfaces,
+                                           Pass pass, Capture::Form form, bool coverage_only,
+                                           Rendering& rendering);
+  // Whether there are more hits than fragments in words, as a sentence.
+  std::optional<std::string> doubt_of_words(const Scene& scene, const Surfaces& surfaces,
+                                            const Rendering& rendering);
+  // What a pass draws of a part of the records: RGBA8, a plane per sample.
+  std::vector<std::uint8_t> draw_part(const Scene& scene, const Surfaces& surfaces,
+                                      const Pass& pass, const Rendering& rendering);
   // Removes what the scene does not request, and what this driver's GLSL lacks.
   void drop_details(const Scene& scene, Rendering& rendering) const;
   // Reports the levels that the driver made of the scene's textures.
@@ -129,7 +152,6 @@ class SceneRenderer {
   RendererInfo info_;
   std::string problem_;  // why nothing can be drawn; empty if everything works
   DriverLimits limits_;
-  bool queries_level_of_detail_ = false;
   std::optional<Objects> objects_;
 };
 

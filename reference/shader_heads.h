@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The common start of all shaders of a context: the version of its API, the extensions that ours
-// use, and macros that make one text valid in both GLSL and GLSL ES.
+// The common start of all shaders of a context: the version of its API (GLSL 3.30 to 4.30, GLSL ES
+// 3.00 to 3.20), the extensions that ours use, and macros that make one text valid in all of them.
+// GLSL before 4.30 and GLSL ES 3.00 number no uniforms: reference/uniform_layouts.h.
 //
 // In GLSL ES, numbers and samplers are highp: float32, as everywhere else. The macro NOPERSPECTIVE
 // is the qualifier or, if there is none, smooth; then no scene may request it. With POINT_SIZE the

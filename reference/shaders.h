@@ -10,6 +10,8 @@ namespace edgecase::shaders {
 // textured scenes how colours are looked up. One function serves pixels and capture, so that both
 // have the same colours. reference/shader_heads.h provides the version before them.
 constexpr const char* kDetails = "#define DETAILS\n";
+constexpr const char* kStorage = "";
+constexpr const char* kWords = "#define WORDS\n";
 constexpr const char* kSamples = "#define SAMPLES\n";
 constexpr const char* kAtCenter = "#define AT\n";
 constexpr const char* kAtCentroid = "#define AT centroid\n";
@@ -112,14 +114,32 @@ void main() {
 // FINE_AND_COARSE the derivatives that not every GLSL has. The counter continues beyond the
 // capacity, so that an overflow shows how much room is needed. SAMPLES, for multisampled targets,
 // puts the coverage into the upper half of x, which suffices for 16 samples and 4096 columns.
+//
+// WORDS is for contexts without storage blocks: the record, without x and y, is an array of words,
+// of which a pass draws three bytes and a tag (reference/word_capture.h).
 constexpr const char* kCaptureShader = R"(
 flat in vec4 flat_color;
 smooth AT in vec4 smooth_color;
 NOPERSPECTIVE AT in vec4 noperspective_color;
 flat in int primitive_index;
 layout(location = 0) uniform int interpolation;
-layout(location = 1) uniform uint capacity;
 layout(location = 0) out vec4 target;
+#ifdef WORDS
+layout(location = 6) uniform int part;
+layout(binding = 2) uniform isampler2D limits;
+uint words[39];
+void put(int at, vec4 value) {
+  uvec4 bits = floatBitsToUint(value);
+  words[at] = bits.x;
+  words[at + 1] = bits.y;
+  words[at + 2] = bits.z;
+  words[at + 3] = bits.w;
+}
+uint byte_at(int at) {
+  return (words[at >> 2] >> uint(8 * (at & 3))) & 255u;
+}
+#else
+layout(location = 1) uniform uint capacity;
 struct Record {
   int x;
   int y;
@@ -148,6 +168,7 @@ layout(std430, binding = 0) buffer Capture {
   uint unused[7];
   Record records[];
 };
+#endif
 void main() {
   vec4 color = interpolation == 0 ? flat_color
                                   : (interpolation == 1 ? smooth_color : noperspective_color);
@@ -173,6 +194,30 @@ void main() {
 #ifdef TEXTURES
   color = looked_up(color);
 #endif
+#ifdef WORDS
+  if (primitive_index >= texelFetch(limits, ivec2(gl_FragCoord.xy), 0).r) discard;
+  words[0] = uint(primitive_index);
+  words[1] = floatBitsToUint(gl_FragCoord.z);
+  put(2, color);
+#ifdef DETAILS
+  put(6, gl_FragCoord);
+  put(10, dx);
+  put(14, dy);
+  put(18, dx_fine);
+  put(22, dy_fine);
+  put(26, dx_coarse);
+  put(30, dy_coarse);
+#ifdef TEXTURES
+  put(34, vec4(texture_coordinates, level_of_detail));
+#endif
+#endif
+#ifdef SAMPLES
+  words[38] = uint(gl_SampleMaskIn[0]);
+#endif
+  int at = 3 * part;
+  uint tag = uint(primitive_index) % 255u + 1u;
+  target = vec4(byte_at(at), byte_at(at + 1), byte_at(at + 2), tag) / 255.0;
+#else
   uint slot = atomicAdd(count, 1u);
   if (slot < capacity) {
     records[slot].x = int(gl_FragCoord.x);
@@ -201,6 +246,7 @@ void main() {
 #endif
   }
   target = color;
+#endif
 }
 )";
 

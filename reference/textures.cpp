@@ -2,6 +2,7 @@
 #include "reference/textures.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
@@ -168,15 +169,27 @@ TextureLevel read_level(const GladGLContext& gl, const Texture& texture, GLuint 
   return level;
 }
 
+// The size of a level of the bound texture; zeros beyond the last one. OpenGL ES 3.0 cannot be
+// asked: there it is the size that the level has to have (OpenGL ES 3.0, 3.8.10.4).
+std::array<GLint, 2> size_of_level(const GladGLContext& gl, const Texture& texture, GLint number) {
+  std::array<GLint, 2> size{0, 0};
+  if (gl.GetTexLevelParameteriv == nullptr) {
+    const TextureLevel& base = texture.levels.front();
+    if (number < level_count(base.width, base.height))
+      size = {std::max(base.width >> number, 1), std::max(base.height >> number, 1)};
+    return size;
+  }
+  gl.GetTexLevelParameteriv(target_of(texture), number, GL_TEXTURE_WIDTH, &size[0]);
+  gl.GetTexLevelParameteriv(target_of(texture), number, GL_TEXTURE_HEIGHT, &size[1]);
+  return size;
+}
+
 // Every level of the bound texture, up to the first without a size.
 std::vector<TextureLevel> read_chain(const GladGLContext& gl, const Texture& texture, GLuint name,
                                      int max_level) {
   std::vector<TextureLevel> chain;
-  const GLenum target = target_of(texture);
   for (GLint number = 0; number <= max_level; ++number) {
-    GLint width = 0, height = 0;
-    gl.GetTexLevelParameteriv(target, number, GL_TEXTURE_WIDTH, &width);
-    gl.GetTexLevelParameteriv(target, number, GL_TEXTURE_HEIGHT, &height);
+    const auto [width, height] = size_of_level(gl, texture, number);
     if (width <= 0 || height <= 0) break;
     chain.push_back(read_level(gl, texture, name, number, width, height));
   }

@@ -197,11 +197,19 @@ class Blessing {
     for (KnownFault& fault : added) fault.cases_on[release] = counts[fault.id];
     for (std::size_t i = 0; i < after_.size(); ++i) {
       if (std::ranges::find(faults, &all.faults[i]) == faults.end()) continue;
-      if (counts[after_[i].id] > 0)
-        after_[i].cases_on[release] = counts[after_[i].id];
+      const std::size_t count = counts[after_[i].id];
+      if (is_partial(results_, index_, current_.faults[i]) && count <= count_before(after_[i]))
+        continue;
+      if (count > 0)
+        after_[i].cases_on[release] = count;
       else if (!release_.is_es)
         close(after_[i]);
     }
+  }
+
+  std::size_t count_before(const KnownFault& fault) const {
+    const auto found = fault.cases_on.find(text_of(release_));
+    return found == fault.cases_on.end() ? 0 : found->second;
   }
 
   void close(KnownFault& fault) {

@@ -111,10 +111,11 @@ void add_faults_seen(Faults faults, std::size_t index, Results& results) {
         ++seen.cases;
     if (const auto found = fault->cases_on.find(text_of(release)); found != fault->cases_on.end())
       seen.before = found->second;
-    if (is_whole(results)) seen.state = state_of(seen);
+    const bool is_all = is_whole(results) && !is_partial(results, index, *fault);
+    if (is_all || (is_whole(results) && seen.cases > seen.before.value_or(0)))
+      seen.state = state_of(seen);
     // OpenGL ES does not support many cases.
-    const bool is_missed =
-        seen.cases == 0 && (!is_whole(results) || (release.is_es && !seen.before));
+    const bool is_missed = seen.cases == 0 && (!is_all || (release.is_es && !seen.before));
     if (!is_missed) results.faults.push_back(std::move(seen));
   }
 }
@@ -151,6 +152,22 @@ void hold_contested(Results& results) {
 std::vector<const KnownFault*> faults_behind(const CaseResults& one, const Result& result,
                                              Faults faults) {
   return is_forbidden(result) ? account(one, result, faults).by : std::vector<const KnownFault*>();
+}
+
+bool is_partial(const Results& results, std::size_t renderer, const KnownFault& fault) {
+  std::size_t named = 0;
+  std::size_t unsupported = 0;
+  for (const CaseOutline& one : results.cases.outlines()) {
+    const auto names = [&](const std::string& name) { return names_case(name, one.id); };
+    const bool is_there = fault.surface.empty() || fault.surface == one.surface;
+    if (!is_there || std::ranges::none_of(fault.cases, names)) continue;
+    const auto& failure = one.answers[renderer].failure;
+    ++named;
+    if (failure && failure->kind == FailureKind::unsupported) ++unsupported;
+  }
+  const auto found = fault.cases_on.find(text_of(release_of(results.renderers[renderer])));
+  const std::size_t before = found == fault.cases_on.end() ? 1 : found->second;
+  return unsupported + before > named && unsupported > 0;
 }
 
 bool has_grown(const Results& results) {

@@ -23,6 +23,11 @@ void hold_contested(Results& results);
 std::vector<const KnownFault*> faults_behind(const CaseResults& one, const Result& result,
                                              std::span<const KnownFault* const> faults);
 
+// True if a renderer does not support so many cases of a fault that some must be among them that
+// showed it, by its count on the driver's release; without one, if it supports none. Such a run
+// does not tell that the fault has shrunk or is fixed.
+bool is_partial(const Results& results, std::size_t renderer, const KnownFault& fault);
+
 // True if some known fault occurs in more cases than its file says, which is red.
 bool has_grown(const Results& results);
 

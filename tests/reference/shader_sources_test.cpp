@@ -28,9 +28,14 @@ GLuint create() {
   return 1;
 }
 
-// OpenGL that compiles and links whatever it is given.
-GladGLContext listening_gl() {
+// OpenGL of a version, 4.3 or 3.3, that compiles and links whatever it is given.
+GladGLContext listening_gl(bool is_4_3) {
   GladGLContext gl{};
+  gl.VERSION_4_3 = is_4_3 ? 1 : 0;
+  gl.GetIntegerv = [](GLenum, GLint* value) { *value = 1; };
+  gl.GetUniformLocation = [](GLuint, const GLchar*) { return 0; };
+  gl.UseProgram = [](GLuint) {};
+  gl.Uniform1i = [](GLint, GLint) {};
   gl.CreateShader = [](GLenum) { return create(); };
   gl.CreateProgram = [] { return create(); };
   gl.ShaderSource = keep_source;
@@ -67,7 +72,7 @@ std::set<std::string> all_sources(const GladGLContext& gl) {
   });
 }
 
-class ShaderSources : public ::testing::Test {
+class ShaderSources : public ::testing::TestWithParam<bool> {
  protected:
   std::set<std::string> sources_of_scene(const Scene& scene) {
     return sources_of([&] {
@@ -77,10 +82,26 @@ class ShaderSources : public ::testing::Test {
     });
   }
 
-  const GladGLContext gl_ = listening_gl();
+  const GladGLContext gl_ = listening_gl(GetParam());
 };
 
-TEST_F(ShaderSources, AreAFixedSetWhateverFilesSay) {
+INSTANTIATE_TEST_SUITE_P(Versions, ShaderSources, ::testing::Bool());
+
+// Uniforms are numbered where GLSL can, and what fragments tell is stored where shaders can.
+TEST_P(ShaderSources, AreThoseOfTheVersion) {
+  for (const std::string& source : all_sources(gl_)) {
+    EXPECT_TRUE(source.starts_with(GetParam() ? "#version 4" : "#version 330") ||
+                source.starts_with("#version 450"))
+        << source;
+    EXPECT_EQ(source.find(") uniform ") != std::string::npos,
+              GetParam() && source.find("uniform ") != std::string::npos)
+        << source;
+    if (source.find("buffer Capture") != std::string::npos)
+      EXPECT_EQ(source.find("#define WORDS") == std::string::npos, GetParam()) << source;
+  }
+}
+
+TEST_P(ShaderSources, AreAFixedSetWhateverFilesSay) {
   const std::set<std::string> known = all_sources(gl_);
   EXPECT_GT(known.size(), 20U);
   std::set<std::string> used;
@@ -104,7 +125,7 @@ TEST_F(ShaderSources, AreAFixedSetWhateverFilesSay) {
 }
 
 // Words that would end a literal, a comment or a line, wherever a case has words of its own.
-TEST_F(ShaderSources, HaveNoWordOfACase) {
+TEST_P(ShaderSources, HaveNoWordOfACase) {
   const std::string hostile = R"(*/ #error owned \" ); } void main() { discard; } //)";
   const auto text_with = [](const std::string& words, const std::string& tag) {
     return R"({"title": ")" + words + R"(", "why": ")" + words + R"(", "spec": ")" + words +

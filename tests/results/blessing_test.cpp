@@ -130,6 +130,20 @@ TEST(Blessing, ClosesWhatDoesNotShow) {
   EXPECT_TRUE(plan(fixed, known).empty());
 }
 
+TEST(Blessing, KeepsTheCountOfWhatIsNotDrawn) {
+  Results results = results_of({Verdict::violation, Verdict::violation});
+  const KnownFaults known = blessed(results);
+  Results partial = results_of({Verdict::violation, Verdict::not_run});
+  partial.cases.answer(1, 0).failure = Failure{FailureKind::unsupported, "no samples"};
+  EXPECT_TRUE(plan(partial, known).empty());
+  partial = results_of({Verdict::not_run, Verdict::not_run});
+  for (std::size_t i : {0U, 1U})
+    partial.cases.answer(i, 0).failure = Failure{FailureKind::unsupported, "no samples"};
+  EXPECT_TRUE(plan(partial, known).empty());
+  Results drawn = results_of({Verdict::violation, Verdict::agree});
+  EXPECT_EQ(plan(drawn, known).size(), 1u);
+}
+
 TEST(Blessing, WidensTheVersionsOfTheSameFault) {
   Results results = results_of({Verdict::violation});
   KnownFaults known = blessed(results);

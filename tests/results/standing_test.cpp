@@ -175,6 +175,32 @@ TEST(FaultsSeen, ThroughOpenGlEsAreNotMissed) {
   EXPECT_TRUE(results.faults.empty());
 }
 
+// Three whole results, of which the renderer does not support the last ones.
+FaultSeen seen_of(const std::vector<Verdict>& drawn, std::size_t unsupported, std::size_t before) {
+  std::vector<Verdict> verdicts = drawn;
+  verdicts.resize(drawn.size() + unsupported, Verdict::not_run);
+  Results results = results_with(verdicts);
+  results.renderers[0].version = "1.0";
+  results.whole_suite = true;
+  for (std::size_t i = drawn.size(); i < verdicts.size(); ++i)
+    results.cases.answer(i, 0).failure = Failure{FailureKind::unsupported, "no samples"};
+  const KnownFaults known = fault_of({"a", "b", "c"}, {{"1.0", before}});
+  apply_known_faults(results, {&known, 1});
+  return results.faults.empty() ? FaultSeen() : results.faults[0];
+}
+
+// What is not drawn does not show that a fault is gone, where it must be among what showed it.
+TEST(FaultsSeen, OfCasesThatAreNotDrawnAreNotMissed) {
+  using enum Verdict;
+  EXPECT_EQ(seen_of({violation, violation}, 1, 3).state, FaultState::known);
+  EXPECT_EQ(seen_of({}, 3, 1).id, "") << "none is drawn";
+  EXPECT_EQ(seen_of({agree}, 2, 2).id, "") << "one of both that showed it is not drawn";
+  // The two that did not show it may be those that are not drawn.
+  EXPECT_EQ(seen_of({agree, agree}, 1, 1).state, FaultState::fixed);
+  EXPECT_EQ(seen_of({agree, violation}, 1, 2).state, FaultState::shrunk);
+  EXPECT_EQ(seen_of({violation, violation}, 1, 1).state, FaultState::grown);
+}
+
 TEST(ReasonFrom, WhatWasFound) {
   Results results =
       results_with({Verdict::convention, Verdict::permitted, Verdict::not_run, Verdict::permitted});

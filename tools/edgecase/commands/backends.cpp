@@ -28,7 +28,7 @@ using Row = std::array<std::string, kColumns>;
 constexpr const char* kExplanation =
     "\nbits claimed / measured: GL_SUBPIXEL_BITS, and what a probe with a slanted edge resolves.\n"
     "capture: fragments come with depth and colour; + hits: an independent count per pixel "
-    "agrees.\n"
+    "agrees;\nssbo: OpenGL's shaders store them in a buffer; words: they are drawn, part by part.\n"
     "fragments: of one point, one line and one triangle.  first: start to first rendering.\n"
     "surfaces: fbo, and window where the window system's framebuffer can be drawn to.\n"
     "line widths, point sizes: the range that the driver claims / the largest power of two that "
@@ -44,6 +44,13 @@ std::string thickness(const RendererInfo& info, const char* trait, int drawn) {
   return fmt::format("{} / {}", claim == info.traits.end() ? "?" : one_line(claim->second), drawn);
 }
 
+// Whether fragments come with colours and hits, and the way in which OpenGL tells them.
+std::string capture_of(const RendererInfo& info, const ProbeResult& result) {
+  const auto way = info.traits.find("capture");
+  return yes_or_no(result.fragment_colors) + (result.hits_agree ? " + hits" : "") +
+         (way == info.traits.end() ? "" : ", " + one_line(way->second));
+}
+
 Row row_of(const RendererInfo& info, const ProbeResult& result) {
   const std::string bits = result.subpixel_bits == 0 ? "?"
                                                      : fmt::format("{}{}", result.subpixel_bits,
@@ -52,7 +59,7 @@ Row row_of(const RendererInfo& info, const ProbeResult& result) {
           one_line(info.device),
           one_line(info.version),
           fmt::format("{} / {}", info.subpixel_bits, bits),
-          yes_or_no(result.fragment_colors) + (result.hits_agree ? " + hits" : ""),
+          capture_of(info, result),
           fmt::format("{} {} {}", result.points, result.lines, result.triangles),
           yes_or_no(result.smooth),
           result.window ? "fbo window" : "fbo",

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: MIT
+"""Contexts without storage blocks against those that have them, on the same driver and over a share
+of the suite: what both draw has the same answer, fragment for fragment, and what the older version
+does not draw says what it lacks.
+
+Versions are Mesa's overrides, and reach the worker as a device is asked in the user's environment.
+"""
+import json
+import re
+import unittest
+
+from suite_data import files_of_share
+from support import RENDERER, SUITE, CommandTest, only_result
+
+REFUSAL = re.compile(r"edgecase: (.+): unsupported: (.+)")
+# Files of each kind of pass: windows, operations, details, textures, samples, passes.
+ALWAYS = [f"{SUITE}/{name}.json" for name in (
+    "points/centres", "surfaces/snapping", "output/depth/at-each-sample",
+    "output/stencil/before-depth", "values/derivatives/constant", "samples/alpha/for-each-sample",
+    "textures/lookups/gradients-of-one-dimension", "textures/mipmaps/odd-sizes")]
+OPENGL = {"LIBGL_ALWAYS_SOFTWARE": "1", "GALLIUM_DRIVER": "llvmpipe"}
+LACKS_STORAGE = "GL_ARB_shader_storage_buffer_object"
+NO_SAMPLES = "OpenGL ES 3.0 has no multisampled textures, of which samples are read"
+
+
+def version(number):
+    return {"MESA_GL_VERSION_OVERRIDE": number, "MESA_GLSL_VERSION_OVERRIDE": f"{number[0]}{number[2]}0"}
+
+
+class Versions(CommandTest):
+    def rendered(self, renderer, **variables):
+        """id -> rendering, and id -> why there is none."""
+        files = sorted({*ALWAYS, *map(str, files_of_share())} - {f"{SUITE}/scenes"})
+        run = self.command("render", *files, "--exclude", "scenes/*", "--with", renderer,
+                           "--timeout", "120", "--json", "-", expect=None, **{**OPENGL, **variables})
+        self.assertIn(run.returncode, (0, RENDERER), run.stderr)
+        refusals = dict(match.groups() for match in map(REFUSAL.fullmatch, run.stderr.splitlines())
+                        if match)
+        return {rendering["id"]: rendering
+                for rendering in map(json.loads, run.stdout.splitlines())}, refusals
+
+    def compare(self, renderer, new_reasons, **old):
+        """The least share of cases that is drawn, of those that the driver draws otherwise."""
+        whole, refused = self.rendered(renderer)
+        drawn, lacking = self.rendered(renderer, **old)
+        for name, rendering in drawn.items():
+            self.assertEqual(rendering, whole.get(name), name)
+        new = {lacking[name] for name in set(lacking) - set(refused)}
+        for reason in new:
+            self.assertRegex(reason, new_reasons)
+        self.assertEqual(len(drawn) + sum(name in whole for name in lacking), len(whole))
+        return len(drawn) / len(whole)
+
+    def test_opengl_3_3_draws_as_the_newest(self):
+        self.assertGreater(self.compare("egl:device0", LACKS_STORAGE, **version("3.3")), 0.95)
+
+    def test_opengl_4_2_draws_as_the_newest(self):
+        self.assertGreater(self.compare("egl:device0", LACKS_STORAGE, **version("4.2")), 0.95)
+
+    def test_opengl_es_3_0_draws_as_the_newest(self):
+        share = self.compare("egl-es:device0", NO_SAMPLES, MESA_GLES_VERSION_OVERRIDE="3.0")
+        self.assertGreater(share, 0.6)
+
+
+class WhatOldVersionsShow(CommandTest):
+    def results_of(self, case, renderer="egl:device0", **variables):
+        return self.results(f"{SUITE}/{case}.json", "--against", renderer, expect=None,
+                            **{**OPENGL, **variables})
+
+    def test_a_violation_is_convicted_alike(self):
+        """One of coverage, by rule, kind and pixel."""
+        told = []
+        for variables in ({}, version("3.3")):
+            results = self.results_of("triangles/single/legs-of-thousands-of-pixels", **variables)
+            told.append(only_result(results["cases"][0]))
+            self.assertEqual(told[-1]["verdict"], "violation")
+            self.assertTrue(any(d["rule"] == "triangle.fill-rule" and d["kind"] == "missing"
+                                for d in told[-1]["disagreements"]))
+        self.assertEqual(*(one["fingerprint"] for one in told))
+
+    def test_passes_that_contradict_each_other_do_so_alike(self):
+        """llvmpipe's window: hits without fragments are garbage, and no doubt of the capture."""
+        for variables in ({}, version("3.3")):
+            results = self.results_of("surfaces/snapping", **variables)
+            garbage = [case["id"] for case in results["cases"]
+                       if only_result(case).get("failure", {}).get("kind") == "garbage"]
+            self.assertEqual(garbage, ["surfaces/snapping:surface=window:d=0.001953125"])
+
+    def test_backends_say_which_capture(self):
+        for capture, variables in (("ssbo", {}), ("words", version("3.3"))):
+            run = self.command("backends", "egl:device0", **{**OPENGL, **variables})
+            self.assertRegex(run.stdout, rf"yes \+ hits, {capture} ")
+
+    def test_a_missing_extension_is_named(self):
+        lacking = "-GL_ARB_gpu_shader5 -GL_ARB_texture_query_lod -GL_ARB_derivative_control"
+        for case, extension in (("samples/edges/triangle", "GL_ARB_gpu_shader5"),
+                                ("textures/mipmaps/odd-sizes", "GL_ARB_texture_query_lod"),
+                                ("values/derivatives/constant", "GL_ARB_derivative_control")):
+            with self.subTest(case):
+                results = self.results_of(case, MESA_EXTENSION_OVERRIDE=lacking, **version("3.3"))
+                reasons = {only_result(one)["failure"]["reason"] for one in results["cases"]
+                           if "failure" in only_result(one)}
+                self.assertTrue(any(f"it lacks {extension}" in reason for reason in reasons), reasons)
+
+
+if __name__ == "__main__":
+    unittest.main()
