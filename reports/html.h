@@ -31,6 +31,7 @@ struct RuleText {
   std::string spec;      // section of the specification
   std::string latitude;  // what the specification leaves open
   std::string standard;  // the alternative of policy `opengl`, or empty
+  std::vector<std::pair<std::string, std::string>> alternatives;  // name -> meaning
 };
 
 // One numbered ruling, in a sentence or two.

@@ -7,6 +7,7 @@
 #include <compare>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -15,6 +16,7 @@
 #include "model/threads.h"
 #include "reports/text.h"
 #include "results/clusters.h"
+#include "results/standing.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {
@@ -23,11 +25,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kScenes = "scenes/";  // ids of cases that draw whole scenes
-
-// The part of an id that all cases of a file share.
-std::string_view stem_of(const std::string& id) {
-  return std::string_view(id).substr(0, id.find(':'));
-}
 
 // Numbers distinct texts in the order in which they are added.
 class Names {
@@ -209,9 +206,16 @@ struct ReadCase {
   std::vector<Outcome> outcomes;
 };
 
+// An answer to be decided on, and the cluster that it is told by; nothing for a failure.
+struct UnexpectedAnswer {
+  AnswerPlace place;
+  std::optional<Cluster> leading;
+};
+
 // Adds the cases, and sums up what the renderers answered to them.
 void add_cases(Json& json, const Results& results, const ReportTexts& texts, const CaseHeads& heads,
-               const DetailLines& lines, std::vector<RendererSums>& sums) {
+               const DetailLines& lines, std::vector<RendererSums>& sums,
+               std::vector<UnexpectedAnswer>& unexpected) {
   Names rules;
   Json head_list = Json::array();
   for (std::size_t h = 0; h < heads.list.size(); ++h)
@@ -225,6 +229,8 @@ void add_cases(Json& json, const Results& results, const ReportTexts& texts, con
     for (std::size_t r = 0; r < one.results.size(); ++r) {
       numbers.push_back(outcomes.number(read.outcomes[r]));
       if (r < sums.size()) sums[r].add(one, one.results[r]);
+      if (is_unexpected(one.results[r].standing))
+        unexpected.push_back({{i, r}, leading_cluster(one, one.results[r])});
     }
     Json row = {heads.of_case[i], one.id.substr(stem_of(one.id).size()), one.fragments,
                 std::move(numbers)};
@@ -288,11 +294,25 @@ Json choices_json(const ReportTexts& texts, const std::string& renderer) {
   return json;
 }
 
+// `found`: the renderer's clusters.
+Json unexpected_json(const Results& results, const UnexpectedAnswer& answer,
+                     const std::vector<Cluster>& found) {
+  const auto& [one, renderer] = answer.place;
+  const ResultOutline& outline = results.cases.outline(one).answers[renderer];
+  Json told = outline.failure ? name_of(outline.failure->kind) : "";
+  if (answer.leading) {
+    const auto same = std::ranges::find_if(
+        found, [&](const Cluster& cluster) { return is_same_cluster(cluster, *answer.leading); });
+    if (same != found.end()) told = same - found.begin();
+  }
+  return {one, renderer, std::move(told), outline.fingerprint};
+}
+
 Json renderer_json(const Results& results, const ReportTexts& texts, std::size_t index,
-                   RendererSums& sums) {
+                   const std::vector<Cluster>& found, const RendererSums& sums) {
   const RendererInfo& info = results.renderers[index];
   Json clusters = Json::array();
-  for (const Cluster& cluster : sums.take_clusters())
+  for (const Cluster& cluster : found)
     clusters.push_back(cluster_json(cluster, place_of(results, index, cluster)));
   return {{"name", info.name},
           {"vendor", info.vendor},
@@ -308,12 +328,16 @@ Json renderer_json(const Results& results, const ReportTexts& texts, std::size_t
 
 void add_texts(Json& json, const ReportTexts& texts) {
   json["rules"] = json["rulings"] = Json::array();
-  for (const RuleText& rule : texts.rules)
+  for (const RuleText& rule : texts.rules) {
     json["rules"].push_back({{"id", rule.id},
                              {"title", rule.title},
                              {"spec", rule.spec},
                              {"latitude", rule.latitude},
-                             {"standard", rule.standard}});
+                             {"standard", rule.standard},
+                             {"alternatives", Json::object()}});
+    for (const auto& [name, meaning] : rule.alternatives)
+      json["rules"].back()["alternatives"][name] = meaning;
+  }
   for (const RulingText& ruling : texts.rulings)
     json["rulings"].push_back(
         {{"number", ruling.number}, {"text", ruling.text}, {"facts", ruling.facts}});
@@ -334,44 +358,11 @@ void add_problems(Json& json, const Results& results) {
                               {"link", seen.link},
                               {"cases", seen.cases},
                               {"state", name_of(seen.state)},
-                              {"told", describe(seen)}});
-}
-
-struct Head {
-  std::string key;  // that only cases which share all have
-  CaseResults one;
-};
-
-Head head_of(CaseResults one) {
-  Head head;
-  const auto add = [&](std::string_view text) { head.key.append(text).push_back('\0'); };
-  add(stem_of(one.id));
-  for (const std::string& text : {one.title, one.why, one.file, one.surface, one.spec, one.origin})
-    add(text);
-  add(fmt::format("{} {} {}", one.width, one.height, one.rules.size()));
-  for (const std::string& rule : one.rules) add(rule);
-  for (const std::string& tag : one.tags) add(tag);
-  one.pixels = {};
-  one.samples = {};
-  one.figure = {};
-  one.results.clear();
-  head.one = std::move(one);
-  return head;
+                              {"told", describe(seen)},
+                              {"smallest", shortest_case_with(results, seen.renderer, seen.id)}});
 }
 
 }  // namespace
-
-CaseHeads heads_of(const Results& results) {
-  CaseHeads heads;
-  std::map<std::string, std::size_t> numbers;  // by what cases share
-  const auto make = [&](std::size_t i) { return head_of(results.cases[i]); };
-  make_in_order(results.cases.size(), make, [&](std::size_t, Head head) {
-    const auto [found, is_new] = numbers.try_emplace(std::move(head.key), heads.list.size());
-    if (is_new) heads.list.push_back(std::move(head.one));
-    heads.of_case.push_back(found->second);
-  });
-  return heads;
-}
 
 Json report_index(const Results& results, const ReportTexts& texts, const CaseHeads& heads,
                   const DetailLines& lines) {
@@ -383,9 +374,16 @@ Json report_index(const Results& results, const ReportTexts& texts, const CaseHe
   add_texts(json, texts);
   add_problems(json, results);
   std::vector<RendererSums> sums(results.renderers.size());
-  add_cases(json, results, texts, heads, lines, sums);
-  for (std::size_t i = 0; i < results.renderers.size(); ++i)
-    json["renderers"].push_back(renderer_json(results, texts, i, sums[i]));
+  std::vector<UnexpectedAnswer> unexpected;
+  add_cases(json, results, texts, heads, lines, sums, unexpected);
+  std::vector<std::vector<Cluster>> clusters;
+  for (std::size_t i = 0; i < results.renderers.size(); ++i) {
+    clusters.push_back(sums[i].take_clusters());
+    json["renderers"].push_back(renderer_json(results, texts, i, clusters[i], sums[i]));
+  }
+  json["unexpected"] = Json::array();
+  for (const UnexpectedAnswer& answer : unexpected)
+    json["unexpected"].push_back(unexpected_json(results, answer, clusters[answer.place.renderer]));
   if (texts.since) json["since"] = Json::parse(comparison_json(*texts.since));
   return json;
 }

@@ -29,23 +29,8 @@ const Disagreement* leading(const Result& result) {
 
 std::string cause_of(const CaseResults& one, const Result& result) {
   if (result.failure) return name_of(result.failure->kind);
-  Cluster cluster;
-  cluster.surface = one.surface;
-  if (const Disagreement* d = leading(result)) {
-    cluster.cause = text_of(d->cause);
-    cluster.rule = name_of(d->rule);
-    cluster.kind = name_of(d->kind);
-    cluster.situation = d->situation;
-    return title_of(cluster);
-  }
-  for (const ValueAggregate& values : result.values) {
-    if (values.differing.empty()) continue;
-    cluster.cause = text_of(values.cause);
-    cluster.rule = name_of(values.rule);
-    cluster.attribute = values.attribute;
-    return title_of(cluster);
-  }
-  return "";
+  const auto cluster = leading_cluster(one, result);
+  return cluster ? title_of(*cluster) : "";
 }
 
 int urgency_of(Verdict verdict) {

@@ -7,6 +7,8 @@ const CaseView = {
   pictures: null,
   ramps: null,
   list: null,
+  rehearsed: 0,
+  form: null,  // of the decision on its answer
   index: -1,   // of the chosen disagreement
   pixel: null, // the chosen one, {x, y}
   frame: 0,    // of the pending display of fragments
@@ -38,7 +40,8 @@ const CaseView = {
     CaseView.one = one;
     CaseView.result = result;
     replace(element, caseHead(one, state), result ? CaseView.build(one, result)
-      : h("main.case", {}, caseWords(one), h("p.card", {}, "No renderer was run on this case.")));
+      : h("main.case", {}, h("h1", {tabindex: "-1"}, one.title || one.id),
+        h("p.card", {}, "No renderer was run on this case."), caseWords(one)));
     if (!result) return;
     CaseView.place(state);
     CaseView.pictures?.zoomTo(Number(state.zoom));
@@ -51,11 +54,12 @@ const CaseView = {
     const one = here[left - 1];
     if (one) await loadDetails(one);
     if (!one || CaseView.one) return;  // a case was opened meanwhile
-    const stage = h("div.stage", {"aria-hidden": "true"});
+    const stage = h("div.rehearsal", {"aria-hidden": "true"});
     document.body.append(stage);
     CaseView.put(stage, one, CaseView.resultFor(one, ""), {...Route.read(), ...NO_PLACE});
     CaseView.close();
     stage.remove();
+    ++CaseView.rehearsed;
     if (left > 1) requestIdleCallback(() => CaseView.rehearse(left - 1).catch(() => {}));
   },
 
@@ -76,26 +80,35 @@ const CaseView = {
     const {answer} = result;
     CaseView.parts = {
       finding: h("div.finding", {"aria-live": "polite"}), commands: h("div", {}),
-      stepper: h("span.steps", {}), review: h("div", {}),
-      numbers: h("div", {}), fragments: h("div", {}),
+      stepper: h("span.steps", {}), review: h("div", {}), fragments: h("div", {}),
     };
     CaseView.pictures = one.pixels
       ? new Pictures(one, result, CaseView.pick, (zoom) => CaseView.note({zoom})) : null;
     CaseView.showReview();
     CaseView.ramps = new Ramps(one, result, CaseView.pickOf);
     CaseView.list = new DisagreementList(answer, (index) => CaseView.choose(index, true));
-    return h("main.case", {}, caseWords(one), rendererTabs(one, result),
-      h("section.card.answer", {role: "tabpanel", "aria-label": result.renderer},
-        h("div", {}, resultLine(result, CaseView.parts.stepper),
-          pixelLine(result.pixel_counts), CaseView.parts.finding, CaseView.parts.review),
-        samplePlan(one, result)),
-      CaseView.pictures ? CaseView.pictures.element : h("p.card.faint", {}, one.line === undefined
-        ? "Every renderer agrees, as expected: this report has no pictures of such cases. The " +
-          "command below draws them again." : "There are no pictures."),
-      CaseView.parts.numbers, CaseView.parts.fragments, CaseView.ramps.element, CaseView.list.element,
-      valuesSection(answer, CaseView.pick), evidenceSection(answer),
-      h("section.card", {}, h("h2", {}, "Reproduce"), CaseView.parts.commands),
-      h("section.card", {}, verticesOf(one.figure), sourceOf(one)));
+    return h("main.case", {}, caseTop(one, result), h("div.stage", {},
+      h("div.shown", {}, CaseView.ramps.element, CaseView.pictures?.element ||
+        h("p.card.faint", {}, one.line === undefined
+          ? "Every renderer agrees, as expected: this report has no pictures of such cases. The " +
+            "command below draws them again." : "There are no pictures.")),
+      CaseView.column(one, result)),
+    CaseView.parts.fragments, CaseView.list.element,
+    valuesSection(answer, CaseView.pick), evidenceSection(answer),
+    h("section.card", {}, h("h2", {}, "Reproduce"), CaseView.parts.commands),
+    h("section.card", {}, caseWords(one), samplePlan(one, result), verticesOf(one.figure),
+      sourceOf(one)));
+  },
+
+  // Beside the pictures: verdict, what was found, the decision, and one more picture.
+  column(one, result) {
+    return h("section.answer", {role: "tabpanel", id: "answer", "aria-label": result.renderer},
+      h("div.result-line", {}, verdictBadge(result.verdict), standingBadge(result.standing),
+        CaseView.parts.stepper),
+      truthFaults(one), CaseView.parts.finding, CaseView.parts.review,
+      result.standing_reason && h("p.faint", {dir: "auto"}, result.standing_reason),
+      CaseView.pictures && h("div.beside", {}, CaseView.pictures.side.element),
+      pixelLine(result.pixel_counts));
   },
 
   // Chooses a disagreement by its number; `at` of the route is 1 for the first.
@@ -132,8 +145,11 @@ const CaseView = {
   },
 
   showReview() {
-    replace(CaseView.parts.review,
-      reviewForm(CaseView.one, CaseView.result, CaseView.showReview));
+    CaseView.form = answerForm(CaseView.one, CaseView.result, () => {
+      CaseView.showReview();
+      document.querySelector("h1").focus({preventScroll: true});
+    });
+    replace(CaseView.parts.review, CaseView.form?.element);
   },
 
   step(by) {
@@ -151,7 +167,6 @@ const CaseView = {
       disagreement ? findingOf(disagreement) : nothingFound(CaseView.one, CaseView.result, pixel));
     replace(CaseView.parts.stepper,
       stepper(CaseView.index, count, (index) => CaseView.choose(index, true)));
-    replace(CaseView.parts.numbers, disagreement?.kind === "value" && numbersOf(disagreement));
     replace(CaseView.parts.commands,
       commandsFor(CaseView.one, CaseView.result, CaseView.pixel).map(commandLine));
     CaseView.ramps.mark(CaseView.pixel);
@@ -188,20 +203,23 @@ function nothingFound(one, result, pixel) {
     plural(one.fragments, "fragment", "fragments") + ".");
 }
 
-function resultLine(result, steps) {
-  return h("div.result-line", {}, verdictBadge(result.verdict), standingBadge(result.standing),
-    h("span.reason", {dir: "auto"}, result.standing_reason), steps);
-}
-
 function rendererTabs(one, chosen) {
+  if (one.results.length < 2) return h("span.faint", {}, chosen.renderer);
   return h("div.tabs", {role: "tablist", "aria-label": "Renderers"}, one.results.map((result) =>
     h("a", {
-      role: "tab", "aria-selected": result === chosen ? "true" : "false",
+      role: "tab", "aria-selected": result === chosen ? "true" : "false", "aria-controls": "answer",
       href: Route.href({case: one.id, on: result.renderer, at: "", px: ""}),
       title: result.verdict + ", " + result.standing,
     }, verdictIcon(result.verdict), result.renderer,
     h("span.unseen", {}, " " + result.verdict),
-    isSurprise(result) && h("span.standing.alarm", {}, STANDINGS[result.standing].label))));
+    isSurprise(result) && h("span.standing.alarm", {}, icon(BANG),
+      h("span.unseen", {}, STANDINGS[result.standing].label)))));
+}
+
+// The title and the renderers, on one line.
+function caseTop(one, result) {
+  return h("header.top", {},
+    h("h1", {tabindex: "-1", dir: "auto"}, one.title || one.id), rendererTabs(one, result));
 }
 
 function caseHead(one, state) {
@@ -213,9 +231,10 @@ function caseHead(one, state) {
       href: Route.href({case: next.id, at: "", px: ""}), "aria-label": label, title: label,
     }, text) : h("span.button.off", {"aria-hidden": "true"}, text);
   };
+  const back = {overview: "Overview", cause: "Its cause", cases: "Cases", statistics: "Statistics",
+    generations: "Generations"}[Route.viewOf({...state, ...NO_PLACE})];
   return h("nav.bar", {"aria-label": "Cases"},
-    h("a.button", {href: Route.href(NO_PLACE), title: "All cases (Esc)"},
-      "\u2190 All cases"),
+    h("a.button", {href: Route.href(NO_PLACE), title: back + " (Esc)"}, "\u2190 " + back),
     h("span.mono.path", {}, one.id),
     h("span.group", {}, link(-1, "\u2039", "Previous case (k)"),
       at >= 0 && h("span.faint", {}, at + 1 + " of " + cases.length),
@@ -229,15 +248,19 @@ function originOf(origin) {
   return h("a", {href: origin, rel: "noopener noreferrer", target: "_blank"}, "origin \u2197");
 }
 
+// What the author of the case says of it.
 function caseWords(one) {
-  return h("header.words", {},
-    h("h1", {tabindex: "-1", dir: "auto"}, one.title || one.id),
+  return h("div.words", {}, h("h2", {}, "About this case"),
     one.why && h("p.why", {dir: "auto"}, one.why),
     h("p.facts", {}, one.rules.map(ruleChip), one.spec && h("span", {}, one.spec),
       h("span", {}, one.width + " \u00d7 " + one.height + " " + one.surface),
       one.samples && h("span", {}, plural(one.samples.count, "sample", "samples") + " a pixel"),
-      one.tags.map((tag) => h("span", {}, "#" + tag)), originOf(one.origin)),
-    one.expect_failures.length > 0 && h("div.card.alarm-box", {},
-      h("b", {}, icon(BANG), " The exact side does not meet this case's hand-drawn truth"),
-      one.expect_failures.map((text) => h("div.lines", {}, text))));
+      one.tags.map((tag) => h("span", {}, "#" + tag)), originOf(one.origin)));
+}
+
+function truthFaults(one) {
+  if (!one.expect_failures.length) return null;
+  return h("div.card.alarm-box", {},
+    h("b", {}, icon(BANG), " The exact side does not meet this case's hand-drawn truth"),
+    one.expect_failures.map((text) => h("div.lines", {}, text)));
 }

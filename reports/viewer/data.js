@@ -29,6 +29,7 @@ class Case {
   constructor([head, rest, fragments, outcomes, line, hasRamp], index) {
     const {stem, source, ...words} = Heads[head];
     this.id = stem + rest;
+    this.head = head;
     this.title = words.title;
     this.why = words.why;
     this.rules = words.rules;

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT Disagreements as text: the chosen one above the pictures, all of
+// SPDX-License-Identifier: MIT Disagreements as text: the chosen one beside the pictures, all of
 // them in pages below.
 
 const PAGE = 25;
@@ -13,17 +13,16 @@ const pixelText = (d) =>
   "pixel (" + d.x + ", " + d.y + ")" + (d.sample === undefined ? "" : " sample " + d.sample);
 const primitiveText = (d) => (d.primitive === undefined ? "" : "primitive " + d.primitive);
 
-// The chosen disagreement: its kind, place, rule and explanation.
+// The chosen disagreement: its kind, place, rule and explanation, and its numbers on a line.
 function findingOf(d) {
-  const [exact, rendered] = compared(d);
+  const long = d.explanation.length > 600;
+  const lines = d.kind === "value" ? numberLines(d) : [];
+  const sentence = h("p.sentence", {dir: "auto", tabindex: long ? "0" : undefined}, d.explanation);
   return [
-    h("div.facts-line", {}, kindLabel(d.kind), h("b.mono", {}, pixelText(d)),
-      d.primitive !== undefined && h("span", {}, primitiveText(d)), ruleChip(d.rule), legality(d),
-      d.ruling && h("span", {}, "by ", rulingChip(d.ruling)),
-      h("span", {}, "cause ", d.cause ? causeChips(d.cause) : h("i", {}, "none found")),
-      d.kind !== "value" && h("span.faint.mono", {}, exact + ", " + rendered)),
-    d.situation && h("p.faint", {}, d.situation),
-    h("p.sentence", {dir: "auto"}, d.explanation),
+    h("div.facts-line", {}, kindLabel(d.kind), h("b.mono", {}, pixelText(d)), legality(d)),
+    lines, lines.length ? h("details", {}, h("summary", {}, "In words"), sentence) : sentence,
+    h("div.facts-line", {}, ruleChip(d.rule), d.ruling && rulingChip(d.ruling),
+      d.cause ? h("span", {}, "cause ", causeChips(d.cause)) : h("i.faint", {}, "no cause found")),
   ];
 }
 

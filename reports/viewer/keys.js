@@ -2,13 +2,15 @@
 // The keyboard.
 
 const KEYS = [
-  ["j  \u2193", "next case"], ["k  \u2191", "previous case"], ["Enter", "open the case"],
+  ["j  \u2193", "next case or cause"], ["k  \u2191", "previous case or cause"], ["Enter", "open it"],
+  ["a  x", "accept, reject: the cause, or the answer of a case"], ["e", "export the decisions"],
+  ["l", "list of cases"], ["i", "statistics"], ["m", "generations"], ["/", "search"],
   ["n", "next disagreement"], ["p", "previous disagreement"],
   ["[  ]", "previous, next renderer"], ["+  -", "larger, smaller"], ["0", "whole image"],
   ["z", "close to the chosen pixel"], ["w", "slider between exact and rendered"],
-  ["b", "blink between exact and rendered"], ["a  x", "accept, reject the answer"],
+  ["b", "blink between exact and rendered"],
   ["s", "pixels as samples, or resolved"], ["v", "the clip volume"], ["\u2190  \u2192", "along a plot of levels"],
-  ["Esc", "back to the list"], ["/", "search"], ["?", "these keys"],
+  ["Esc", "back"], ["?", "these keys"],
 ];
 
 function showHelp() {
@@ -41,17 +43,31 @@ const CASE_KEYS = {
   z: () => CaseView.pictures?.close(), s: () => CaseView.pictures?.toggle("samples"),
   v: () => CaseView.pictures?.toggle("clip"),
   w: () => CaseView.pictures?.compare("slider"), b: () => CaseView.pictures?.compare("blink"),
-  a: () => byId("accept")?.click(), x: () => byId("reject")?.click(),
+  a: () => CaseView.form?.ask("accept"), x: () => CaseView.form?.ask("reject"),
   Escape: () => Route.leaveCase(),
 };
 const LIST_KEYS = {
   j: () => CaseList.move(1), ArrowDown: () => CaseList.move(1),
   k: () => CaseList.move(-1), ArrowUp: () => CaseList.move(-1),
-  Escape: () => Route.shift(NO_FILTERS),
+  Escape: () => Route.go(isFiltered(Route.read()) ? {...NOWHERE, view: "cases"} : NOWHERE),
+};
+const OVERVIEW_KEYS = {
+  j: () => Overview.move(1), ArrowDown: () => Overview.move(1),
+  k: () => Overview.move(-1), ArrowUp: () => Overview.move(-1),
+  a: () => Overview.ask("accept"), x: () => Overview.ask("reject"), Enter: () => Overview.open(),
+};
+const CAUSE_KEYS = {...LIST_KEYS, a: OVERVIEW_KEYS.a, x: OVERVIEW_KEYS.x, Escape: () => Route.go(NOWHERE)};
+const PAGE_KEYS = {Escape: () => Route.go(NOWHERE)};
+const VIEW_KEYS = {case: CASE_KEYS, cases: LIST_KEYS, overview: OVERVIEW_KEYS, cause: CAUSE_KEYS,
+  statistics: PAGE_KEYS, generations: PAGE_KEYS};
+const KEYS_EVERYWHERE = {
+  "/": focusSearch, "?": showHelp, e: downloadDecisions,
+  l: () => Route.go({...NOWHERE, view: "cases"}), i: () => Route.go({...NOWHERE, view: "statistics"}),
+  m: () => Data.generations && Route.go({...NOWHERE, view: "generations"}),
 };
 
 function focusSearch() {
-  if (CaseView.one) Route.leaveCase();
+  if (!byId("search")) Route.go({...NOWHERE, view: "cases"});
   setTimeout(() => byId("search")?.focus());
 }
 
@@ -59,18 +75,15 @@ addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey || byId("help").open) return;
   const target = /** @type {HTMLInputElement} */ (event.target);
   if (target.closest("select, textarea, pre")) return;
-  if (target.id === "reason") {
-    if (event.key === "Escape") target.blur();
-    return;
-  }
+  if (target.type === "text") return;
   if (target.type === "range" && event.key.startsWith("Arrow")) return;
   if (target.id === "search") {
     if (event.key === "Escape") target.blur();
     if (event.key !== "ArrowDown") return;
   }
   if (event.key === "Escape" && Tip.owner) return void Tip.hide();
-  const table = CaseView.one ? CASE_KEYS : LIST_KEYS;
-  const act = {...table, "/": focusSearch, "?": showHelp}[event.key];
+  if (event.key === "Enter" && target.closest("a, button, summary")) return;
+  const act = {...KEYS_EVERYWHERE, ...VIEW_KEYS[Route.viewOf(Route.read())]}[event.key];
   if (!act || (target.type === "checkbox" && event.key === " ")) return;
   event.preventDefault();
   act();

@@ -2,7 +2,7 @@
 
 const CLOSE_UP = 2.7;           // pixels across the close-up
 const RESOLVED_ALPHA = 0.3;     // of resolved pixels under their samples
-const CLOSE_UP_BELOW = 64;      // CSS pixels per pixel: above, the pictures are close enough
+const NEAR = 12;                // pixels across exact and rendered beside a scene's verdicts
 const CROWD = 400;              // outlines and vertices, beyond which they would hide the picture
 const CROWD_FROM = 16;          // CSS pixels per pixel from which even so many are drawn
 

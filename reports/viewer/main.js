@@ -14,7 +14,6 @@ async function showCase(one, state) {
   }
   CaseView.show(one, state);
   if (!fresh) return;
-  CaseList.cursor = filteredCases(state).indexOf(one);
   scrollTo(0, 0);
   document.querySelector("h1").focus({preventScroll: true});
   requestIdleCallback(() => readNeighbours(one, state));
@@ -31,19 +30,35 @@ function readNeighbours(one, state) {
 // The case's details cannot be read, so only its line in the list is shown.
 function showFault(one, fault) {
   CaseView.close();
-  replace(byId("app"), h("main.case", {}, caseWords({...one, expect_failures: []}),
+  replace(byId("app"), h("main.case", {}, h("h1", {tabindex: "-1", dir: "auto"}, one.title || one.id),
     h("p.card.alarm-box", {}, "The details of this case cannot be read: " + fault.message + "."),
-    h("p", {}, h("a.button", {href: Route.href(NO_PLACE)}, "\u2190 All cases"))));
+    h("p", {}, h("a.button", {href: Route.href(NO_PLACE)}, "\u2190 Back")), caseWords(one)));
 }
 
-function showOverview(state) {
-  document.title = "Edgecase report";
-  const back = CaseView.one !== null;
-  CaseView.close();
-  if (document.querySelector("main.overview")) return refreshOverview(state);
-  replace(byId("app"), overview(state));
+const VIEWS = {
+  overview, cases: casesView, statistics: statisticsView, generations: generationsView,
+  cause: (state) => causeView(Groups[state.cause - 1]),
+};
+
+// The list of the present filters, if the view has one.
+function showList(state, isRenewed) {
+  if (!byId("list")) return;
+  if (Route.viewOf(state) === "cases") renewBar(state, isRenewed);
   CaseList.show(state);
-  if (back) CaseList.reveal(CaseList.cursor);
+}
+
+function showPage(state) {
+  const view = Route.viewOf(state);
+  document.title = "Edgecase report";
+  const back = CaseView.one;
+  CaseView.close();
+  const main = /** @type {HTMLElement} */ (document.querySelector("main"));
+  if (view === "cases" && main?.classList.contains("cases-view")) return showList(state, true);
+  replace(byId("app"), VIEWS[view](state));
+  showList(state, false);
+  scrollTo(0, 0);
+  if (back && byId("list")) CaseList.reveal(CaseList.rowOf(back));
+  else if (main) document.querySelector("h1").focus({preventScroll: true});
 }
 
 function showRoute() {
@@ -51,13 +66,17 @@ function showRoute() {
   const state = Route.read();
   const one = CasesById.get(state.case);
   if (one) showCase(one, state);
-  else showOverview(state);
+  else showPage(state);
 }
 
 addEventListener("hashchange", showRoute);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
   CaseView.pictures?.colors();
   CaseView.pictures?.draw();
+  for (const glance of Glance.shown) if (glance.element.isConnected) glance.colors();
+  Thumbnails.clear();
+  const rows = document.querySelector("#list .rows");
+  if (rows) paintCharts(rows);
 });
 showRoute();
 // In idle time, once the list is shown.

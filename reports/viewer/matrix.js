@@ -36,7 +36,7 @@ function byWeight([, a], [, b]) {
 function matrixCell(rule, renderer, cell) {
   return h("td", {}, WORST_FIRST.filter((verdict) => cell[verdict]).map((verdict) =>
     h("a.count-of", {
-      class: "v-" + verdict, href: Route.href({...NO_FILTERS, rule, renderer, verdict}),
+      class: "v-" + verdict, href: Route.href({...NOWHERE, rule, renderer, verdict}),
       title: verdict,
     }, icon(VERDICTS[verdict].path), h("span.unseen", {}, verdict + " "),
     cell[verdict].toLocaleString("en"))));

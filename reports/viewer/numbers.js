@@ -34,22 +34,47 @@ function numberCells(value) {
   h("td", {}, "0x" + hex(bits, 8)), h("td.bits", {}, bitGroups(bits))];
 }
 
-// Values of a disagreement, number by number, on both sides.
-function numbersOf(d) {
+const LINE = {width: 264, left: 8, height: 46};  // CSS pixels of a number line
+
+// Exact, what is permitted and what was rendered of one number, on a line that is as long as their
+// distance: digits that all share say nothing. `permitted`: [low, high], or undefined.
+function numberLine(name, exact, rendered, permitted) {
+  const ends = [exact, rendered, ...(permitted || [])].map(Number).filter(Number.isFinite);
+  const [low, high] = [Math.min(...ends), Math.max(...ends)];
+  const span = high - low || Math.abs(high) || 1;
+  const place = (v) => {
+    const at = Number(v);
+    const share = Number.isNaN(at) ? 1.06 : (Math.min(Math.max(at, low - span), high + span) - low) / span;
+    return LINE.left + 10 + (LINE.width - 2 * LINE.left - 20) * Math.min(Math.max(share, -0.06), 1.06);
+  };
+  const steps = floatSteps(exact, rendered);
+  const words = name + "exact " + short(exact) + (permitted ? ", permitted " + short(permitted[0]) +
+    " to " + short(permitted[1]) : "") + ", rendered " + short(rendered) +
+    (steps === null ? "" : ", " + (steps > 0 ? "+" : "") + steps.toLocaleString("en") + " ULP");
+  const right = place(rendered) >= place(exact);
+  const label = (text, x, y, anchor) => svgNode("text", {x, y, "text-anchor": anchor}, text);
+  return h("div.number-line", {}, svgNode("svg", {role: "img", "aria-label": words, width: LINE.width,
+    height: LINE.height, viewBox: "0 0 " + LINE.width + " " + LINE.height},
+  svgNode("path", {class: "axis", d: "M" + LINE.left + " 23H" + (LINE.width - LINE.left)}),
+  permitted && svgNode("rect", {class: "band", x: place(permitted[0]), y: 16, height: 14,
+    width: Math.max(2, place(permitted[1]) - place(permitted[0]))}),
+  svgNode("path", {class: "exact", d: "M" + place(exact) + " 14V32"}),
+  svgNode("circle", {class: "rendered", cx: place(rendered), cy: 23, r: 4.5}),
+  label(name + "exact " + short(exact), right ? LINE.left : LINE.width - LINE.left, 10, right ? "start" : "end"),
+  label("rendered " + short(rendered), right ? LINE.width - LINE.left : LINE.left, 44, right ? "end" : "start")),
+  steps !== null && h("small.faint", {}, (steps > 0 ? "+" : "") + steps.toLocaleString("en") + " ULP"));
+}
+
+// Those numbers of a disagreement that differ, each once.
+function numberLines(d) {
   const count = Math.max(d.exact.length, d.rendered.length);
-  const rows = Array.from({length: count}, (_, i) => {
-    const exact = d.exact[i];
-    const rendered = d.rendered[i];
-    const both = exact !== undefined && rendered !== undefined;
-    const steps = both ? floatSteps(exact, rendered) : null;
-    const row = (name, value, last) => value !== undefined && h("tr", {},
-      h("th", {scope: "row"}, count > 1 ? name + " " + i : name), numberCells(value),
-      h("td", {}, last));
-    return [row("exact", exact, ""), row("rendered", rendered, steps === null ? "" :
-      (steps > 0 ? "+" : "") + steps.toLocaleString("en") + " ULP")];
-  });
-  return h("section.card", {}, h("h2", {}, "Values in dispute at " + pixelText(d)),
-    scrolled("Values in numbers", h("table.numbers.mono", {},
-    h("thead", {}, h("tr", {}, ["", "decimal", "hex", "float bits", "apart"].map((text) =>
-      (text ? h("th", {scope: "col"}, text) : h("td", {}))))), h("tbody", {}, rows))));
+  const name = (i) => (count < 2 ? "" : count === 4 ? CHANNELS[i] + ": " : i + ": ");
+  const told = new Set();
+  return Array.from({length: count}, (_, i) => i).filter((i) => {
+    const [exact, rendered] = [d.exact[i], d.rendered[i]];
+    const key = exact + " " + rendered;
+    if (exact === undefined || rendered === undefined || told.has(key)) return false;
+    told.add(key);
+    return !Object.is(Number(exact), Number(rendered));
+  }).map((i) => numberLine(name(i), d.exact[i], d.rendered[i], d.permitted?.[i]));
 }

@@ -1,7 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The pictures of one result: exact, difference and rendered side by side, with one view, one
-// pointer and one selection; and, where pixels are small, a close-up of the chosen one with the
-// figure of its rule.
+// The pictures of one result, with one pointer and one selection. Ordinary cases have exact,
+// difference and rendered side by side in one view. Whole scenes have the verdicts of all pixels
+// large, and multisampled cases the disputed pixel with its samples; exact and rendered stand beside
+// these. One more picture, for the column of text, shows what the others do not: the disputed
+// pixel from close by, or all of the image.
+
+const SCENE_FROM = 96;  // pixels of width or height
+
+const PANE_TITLES = {exact: "Exact", difference: "Difference", rendered: "Rendered", verdicts: "Verdicts"};
+
+// Which pictures a case has: {main: is the first one large?, shown, how: the first view, side: that of
+// the picture beside the text}.
+function layoutOf(one, rendered) {
+  if (one.samples) return {main: true, shown: ["difference", "exact", "rendered"], how: "close", side: "fit"};
+  if (rendered && Math.max(one.width, one.height) >= SCENE_FROM)
+    return {main: true, shown: ["verdicts", "exact", "rendered"], how: "fit", side: "close"};
+  return {main: false, shown: ["exact", "difference", "rendered"], how: "frame", side: "close"};
+}
 
 class Pictures {
   // onpick(x, y): a pixel was clicked; onzoom(zoom): the zoom changed, "" for the whole image.
@@ -10,33 +25,34 @@ class Pictures {
     this.result = result;
     this.onpick = onpick;
     this.onzoom = onzoom;
+    this.painter = new Painter(one, result);
     this.overlay = new Overlay(() => this.draw());
+    this.layout = layoutOf(one, this.painter.rendered);
     this.view = new View(one.width, one.height);
-    this.exact = exactPixels(one, result.answer);
-    this.rendered = renderedPixels(one, result.answer, this.exact);
-    this.exactSamples = exactSamples(one, result.answer);
-    this.renderedSamples = renderedSamples(one, result.answer, this.exactSamples);
-    this.listed = listedSamples(result.answer.disagreements);
+    this.view.how = this.layout.how;
     this.selected = null;   // a disagreement
     this.pixel = null;      // the chosen pixel {x, y}
     this.hover = null;
     this.width = 0;         // CSS pixels for all panes, once measured
     this.readout = h("div.readout.mono", {"aria-live": "off"});
-    this.table = this.exactSamples && h("div.scroll.of-samples", {});
+    this.table = this.painter.exactSamples && h("div.scroll.of-samples", {tabindex: "0", role: "region",
+      "aria-label": "Samples in numbers"});
     this.scaleText = h("output.scale", {});
-    const titles = ["Exact", "Difference", "Rendered by " + result.renderer,
-      "Close-up of the difference"];
-    this.panes = titles.map((title) => this.pane(title));
-    this.panes[3].view = new View(one.width, one.height);
+    this.panes = this.layout.shown.map((which) => this.pane(which));
+    this.side = this.pane("difference");
+    this.side.view = new View(one.width, one.height);
+    this.side.view.how = this.layout.side;
+    this.side.title = this.layout.side === "close" ? "Close-up of the difference" : "All of the image";
+    this.strip = h("div.panes", {class: this.layout.main ? "with-main" : "", tabindex: "0", role: "group",
+      "aria-label": "Pictures side by side"}, this.panes.map((p) => p.element));
     this.element = h("section.pictures", {"aria-label": "Pictures"},
-      this.tools(), h("div.panes", {}, this.panes.map((p) => p.element)), this.readout, this.table);
+      this.tools(), this.strip, this.readout, this.table);
     this.onresize = () => {
       this.width = 0;
       this.measure();
       this.draw();
     };
     addEventListener("resize", this.onresize);
-    this.colors();
   }
 
   destroy() {
@@ -44,39 +60,31 @@ class Pictures {
     this.overlay.stop();
   }
 
-  // Toggles "slider" or "blink" if there are two pictures.
-  compare(mode) {
-    if (this.rendered) this.overlay.choose(mode);
+  colors() {
+    this.painter.colors();
   }
 
-  pane(title) {
+  // Toggles "slider" or "blink" if there are two pictures.
+  compare(mode) {
+    if (this.painter.rendered) this.overlay.choose(mode);
+  }
+
+  pane(which) {
+    const title = PANE_TITLES[which] + (which === "rendered" ? " by " + this.result.renderer : "");
     const canvas = h("canvas", {
       role: "img", "aria-label": title + ", " + this.one.width + " by " + this.one.height,
     });
-    const pane = {title, canvas, image: null, caption: h("figcaption", {}, title)};
-    pane.element = h("figure", {}, pane.caption, canvas);
+    const pane = {which, title, canvas, view: null, caption: h("figcaption", {}, title)};
+    pane.element = h("figure", {class: "of-" + which}, pane.caption, canvas);
     this.listen(pane);
     return pane;
-  }
-
-  // Creates the images in the colours of the present theme.
-  colors() {
-    const {width, height} = this.one;
-    this.theme = themeColors();
-    const kinds = new Map(this.result.answer.disagreements.map((d) =>
-      [d.y * width + d.x, d.kind]));
-    const rendered = this.rendered;
-    this.panes[0].image = this.exact && imageOf(this.exact, width, height);
-    this.panes[1].image =
-      rendered && differenceImage(this.exact, rendered, width, height, kinds, this.theme);
-    this.panes[2].image = rendered && imageOf(rendered, width, height);
-    this.panes[3].image = this.panes[1].image;
   }
 
   tools() {
     const button = (text, label, act) =>
       h("button", {type: "button", title: label, "aria-label": label, onclick: act}, text);
-    const layers = Object.keys(LAYER_NAMES).filter((id) => id !== "samples" || this.exactSamples);
+    const layers = Object.keys(LAYER_NAMES)
+      .filter((id) => id !== "samples" || this.painter.exactSamples);
     this.boxes = Object.fromEntries(layers.map((id) => [id, h("input", {
       type: "checkbox", checked: isDrawn(id, this.one), onchange: () => this.toggle(id),
     })]));
@@ -89,7 +97,8 @@ class Pictures {
         button("+", "Larger (+, or Ctrl and wheel)", () => this.zoom(1.25)),
         button("Fit", "Whole image (0)", () => this.fit()),
         button("Pixel", "Close to the chosen pixel (z)", () => this.close())),
-      this.rendered && this.overlay.element, h("span.group", {}, toggles), this.legend());
+      this.painter.rendered && this.overlay.element,
+      h("details.layers", {}, h("summary", {}, "Layers"), h("div", {}, toggles)), this.legend());
   }
 
   // Shows a layer, or hides it.
@@ -101,73 +110,79 @@ class Pictures {
   }
 
   legend() {
+    const {answer} = this.result;
     const kinds = Object.keys(KINDS).filter((kind) =>
-      this.result.answer.disagreements.some((d) => d.kind === kind));
-    return h("span.group.legend", {}, this.exactSamples && [
+      answer.disagreements.some((d) => d.kind === kind));
+    return h("span.group.legend", {}, this.painter.exactSamples && [
       h("span.key", {}, swatch("disc", null), "written sample"),
       h("span.key", {}, swatch("ring", null), "not written"),
-    ], kinds.map(kindLabel));
+    ], this.layout.shown[0] === "verdicts" ? PIXEL_VERDICTS.slice(1)
+      .filter((verdict) => this.result.pixel_counts?.[verdict])
+      .map((verdict) => h("span.key", {}, h("i.swatch", {class: "h-" + verdict}), verdict))
+      : kinds.map(kindLabel));
   }
 
-  // Sets the sizes of canvases: as high as the image needs at the available width, but so low that
-  // the text above and the beginning of the list stay on the screen.
+  // Sets the sizes of canvases: at least LEAST_HEIGHT high, and within the screen if that allows.
   measure() {
-    if (this.width) return;  // the text above may change; the pictures keep their size
+    if (this.width) return;  // the text may change; the pictures keep their size
     const all = this.width = this.element.clientWidth;
-    const across = (columns) => Math.floor((all - 12 * (columns - 1)) / columns);
-    if (across(1) < 40) return;
-    if (matchMedia("(max-width: 760px)").matches) return this.setSizes(across(1), false);
-    const scale = this.fitScale(across(4), this.mostHeight(across(4)));
-    const close = this.rendered !== null && scale < CLOSE_UP_BELOW;
-    this.setSizes(across(close ? 4 : 3), close);
-  }
-
-  mostHeight(width) {
-    const top = this.panes[0].element.getBoundingClientRect().top + scrollY;
-    return Math.max(200, Math.min(width, innerHeight - top - 110));
-  }
-
-  // CSS pixels per image pixel when the whole image shows.
-  fitScale(width, height) {
-    const ratio = ratioNow();
-    return View.fitting(this.one.width, this.one.height,
-      (width - MARGIN.left - MARGIN.right - 6) * ratio,
-      (height - MARGIN.top - MARGIN.bottom - 6) * ratio) / ratio;
-  }
-
-  setSizes(width, close) {
-    const ratio = ratioNow();
-    const most = this.mostHeight(width);
-    const needed = this.fitScale(width, most) * this.one.height + MARGIN.top + MARGIN.bottom + 6;
-    const height = Math.ceil(Math.min(most, Math.max(needed, close ? 230 : 180)));
-    this.panes[3].element.hidden = !close;
-    for (const {canvas} of this.panes) {
-      canvas.style.width = width + "px";
-      canvas.style.height = height + "px";
-      canvas.width = Math.round(width * ratio);
-      canvas.height = Math.round(height * ratio);
+    if (all < 40) return;
+    const top = this.strip.getBoundingClientRect().top + scrollY;
+    const room = innerHeight - top - 64;
+    if (isNarrow()) for (const pane of this.panes) this.setSize(pane, all - 12, all - 12);
+    else if (this.layout.main) this.setMain(all, room);
+    else {
+      const width = Math.floor((all - 24) / 3);
+      const height = Math.max(LEAST_HEIGHT, Math.min(room, Math.round(1.45 * width)));
+      for (const pane of this.panes) this.setSize(pane, width, height);
     }
+    const beside = this.side.element.parentElement?.clientWidth || 280;
+    this.setSize(this.side, beside, isNarrow() ? beside : Math.min(beside, 240));
+  }
+
+  // The first picture takes what it needs to be large; the others share the rest, one above another.
+  setMain(all, room) {
+    const isScene = this.layout.shown[0] === "verdicts";
+    const least = isScene ? LEAST_SCENE + MARGIN.left + MARGIN.right + 6 : LEAST_HEIGHT;
+    const width = Math.max(least, Math.min(Math.round(0.6 * all), Math.max(room, least)));
+    const height = Math.max(isScene ? LEAST_SCENE + MARGIN.top + MARGIN.bottom + 6 : LEAST_HEIGHT,
+      Math.min(room, width));
+    this.setSize(this.panes[0], width, height);
+    const caption = 26;
+    for (const pane of this.panes.slice(1))
+      this.setSize(pane, all - width - 12, Math.floor((height - 12 - caption) / 2));
+  }
+
+  setSize({canvas}, width, height) {
+    const ratio = ratioNow();
+    canvas.style.width = width + "px";
+    canvas.style.height = height + "px";
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
   }
 
   plot(pane) {
-    if (pane.view) return this.closePlot(pane);
-    if (this.view.fitted) {
-      const {width, height} = plotOf(pane.canvas, this.view);
-      this.view.fit(width, height);
+    const view = pane.view || this.view;
+    const {width, height} = plotOf(pane.canvas, view);
+    // Beside the verdicts of a scene, exact and rendered show the disputed pixel.
+    const how = view.how === "fit" && !pane.view && pane !== this.panes[0] && this.layout.main &&
+      this.pixel ? "near" : view.how;
+    const own = how === "near" ? Object.assign(new View(view.columns, view.rows), view) : view;
+    if (how === "fit") own.fit(width, height);
+    else if (how === "frame") own.frame(this.painter.worstBox(this.pixel), width, height);
+    else if (how) {
+      const place = this.pixel || {x: this.one.width / 2 - 0.5, y: this.one.height / 2 - 0.5};
+      const across = how === "close" ? CLOSE_UP : NEAR;
+      own.scale = Math.max(1, Math.floor(Math.min(width, height) / across));
+      own.x = place.x + 0.5;
+      own.y = place.y + 0.5;
     }
-    return Object.assign(plotOf(pane.canvas, this.view), {theme: this.theme});
-  }
-
-  closePlot(pane) {
-    const place = this.pixel || {x: this.one.width / 2 - 0.5, y: this.one.height / 2 - 0.5};
-    const {width, height} = plotOf(pane.canvas, pane.view);
-    pane.view.scale = Math.max(1, Math.floor(Math.min(width, height) / CLOSE_UP));
-    pane.view.look(place.x + 0.5, place.y + 0.5);
-    return Object.assign(plotOf(pane.canvas, pane.view), {theme: this.theme});
+    return plotOf(pane.canvas, own);
   }
 
   draw() {
-    for (const pane of this.panes) if (!pane.element.hidden) this.drawPane(pane);
+    for (const pane of [...this.panes, this.side]) if (pane.canvas.width) this.drawPane(pane);
+    this.plot(this.panes[0]);
     const scale = this.view.scale / ratioNow();
     this.scaleText.textContent =
       scale >= 1 ? "\u00d7" + Number(scale.toFixed(2)) : "1/" + Number((1 / scale).toFixed(2));
@@ -175,89 +190,11 @@ class Pictures {
   }
 
   drawPane(pane) {
-    const plot = this.plot(pane);
-    const {context} = plot;
-    context.clearRect(0, 0, pane.canvas.width, pane.canvas.height);
-    if (!pane.image) return this.drawNothing(plot);
-    context.save();
-    context.beginPath();
-    context.rect(plot.left, plot.top, plot.width, plot.height);
-    context.clip();
-    context.imageSmoothingEnabled = plot.scale < 1;
-    const {width, height} = this.one;
-    const places = this.samplePlaces(pane, plot);
-    context.globalAlpha = places ? RESOLVED_ALPHA : 1;
-    if (pane === this.panes[2]) {
-      this.overlay.draw(plot, this.panes[0].image, pane.image, width, height);
-      replace(pane.caption, this.overlay.title(pane.title));
-    } else {
-      context.drawImage(pane.image, plot.x(0), plot.y(height), width * plot.scale,
-        height * plot.scale);
-    }
-    context.globalAlpha = 1;
-    drawGrids(plot, width, height);
-    if (isDrawn("clip", this.one)) drawClipVolume(plot, this.one.viewport);
-    if (Layers.shapes && (this.one.figure.length <= CROWD || plot.scale >= CROWD_FROM))
-      drawFigure(plot, this.one.figure, false);
-    if (Layers.markers) this.drawMarkers(plot, places !== null);
-    this.drawRule(plot);
-    if (places) this.drawSamples(pane, plot, places);
-    this.drawChosen(plot);
-    context.restore();
-    drawAxes(plot, width, height);
-  }
-
-  // The places of a pane's samples; null if its pixels are drawn whole.
-  samplePlaces(pane, plot) {
-    const {exactSamples: exact, renderedSamples: rendered} = this;
-    if (!Layers.samples || !exact || (pane !== this.panes[0] && !rendered)) return null;
-    const places = pane === this.panes[2] ? placesOf(rendered, exact) : placesOf(exact, rendered);
-    return samplesFit(plot, places) ? places : null;
-  }
-
-  // The sample that the chosen one's rule decides is marked once more, over its dot.
-  drawSamples(pane, plot, places) {
-    const {one, exactSamples: exact, renderedSamples: rendered} = this;
-    if (pane === this.panes[0]) drawSamples(plot, one, exact, places);
-    else if (pane === this.panes[2]) drawSamples(plot, one, rendered, places);
-    else drawSampleDifference(plot, one, exact, rendered, places, this.listed);
-    if (Layers.rule) this.selected?.figure?.filter(([role]) => role === "sample")
-      .forEach((mark) => drawMark(plot, mark));
-  }
-
-  drawNothing(plot) {
-    const {context, ratio} = plot;
-    context.fillStyle = this.theme.muted;
-    context.font = 13 * ratio + "px system-ui, sans-serif";
-    context.textAlign = "center";
-    context.textBaseline = "middle";
-    context.fillText("no picture", plot.left + plot.width / 2, plot.top + plot.height / 2);
-  }
-
-  // Among samples, frames are thin, and the kind's shape stands at the sample that differs.
-  drawMarkers(plot, sampled) {
-    const chosen = this.selected;
-    if (plot.scale < 5 * plot.ratio) drawHalos(plot, this.result.answer.disagreements);
-    const atSample = (d) => sampled && d.sample !== undefined;
-    for (const d of this.result.answer.disagreements)
-      if (d !== chosen) drawMarker(plot, d.x, d.y, d.kind, {bare: atSample(d), thin: sampled});
-    if (chosen)
-      drawMarker(plot, chosen.x, chosen.y, chosen.kind,
-        {strong: !sampled, bare: atSample(chosen) || (Layers.rule && chosen.figure)});
-  }
-
-  drawRule(plot) {
-    const figure = this.selected?.figure;
-    if (Layers.rule && figure) drawFigure(plot, figure, plot.scale >= 40 * plot.ratio);
-  }
-
-  drawChosen(plot) {
-    for (const place of [this.pixel, this.hover]) {
-      if (!place) continue;
-      const box = new Path2D();
-      box.rect(plot.x(place.x) - 1, plot.y(place.y + 1) - 1, plot.scale + 3, plot.scale + 3);
-      strokeRimmed(plot, box, {color: "#ffffff", width: place === this.hover ? 1 : 1.5});
-    }
+    const {selected, pixel, hover, overlay} = this;
+    this.painter.paint(this.plot(pane), pane.which, {selected, pixel, hover, axes: true,
+      overlay: pane.which === "rendered" ? overlay : null});
+    if (pane.which === "rendered") replace(pane.caption, overlay.title(pane.title));
+    if (pane === this.side) replace(pane.caption, pane.title);
   }
 
   // Chooses a disagreement (or, with null, only a pixel) and brings it into sight.
@@ -270,7 +207,7 @@ class Pictures {
   }
 
   bringIn() {
-    if (this.view.fitted || !this.pixel) return;
+    if (this.view.how || !this.pixel) return;
     const plot = this.plot(this.panes[0]);
     const x = plot.x(this.pixel.x + 0.5);
     const y = plot.y(this.pixel.y + 0.5);
@@ -280,6 +217,7 @@ class Pictures {
   }
 
   zoom(factor, around) {
+    this.plot(this.panes[0]);
     const chosen = this.pixel && {x: this.pixel.x + 0.5, y: this.pixel.y + 0.5};
     const place = around || chosen || this.view;
     const {scale, x, y} = this.view;
@@ -291,7 +229,7 @@ class Pictures {
   }
 
   fit() {
-    this.view.fitted = true;
+    this.view.how = "fit";
     this.draw();
     this.onzoom("");
   }
@@ -308,17 +246,15 @@ class Pictures {
 
   // Zooms in until the figure of the chosen pixel's rule is large.
   close() {
-    const place = this.pixel || {x: Math.floor(this.view.x), y: Math.floor(this.view.y)};
-    const {width, height} = plotOf(this.panes[0].canvas, this.view);
-    this.view.scale = Math.min(MAX_SCALE, Math.floor(Math.min(width, height) / 4));
-    this.view.look(place.x + 0.5, place.y + 0.5);
+    this.pixel ??= {x: Math.floor(this.view.x), y: Math.floor(this.view.y)};
+    this.view.how = "close";
     this.draw();
-    this.onzoom(String(this.view.scale / ratioNow()));
+    this.onzoom(String(Number((this.view.scale / ratioNow()).toFixed(3))));
   }
 
   placeOf(pane, event) {
     const box = pane.canvas.getBoundingClientRect();
-    const plot = plotOf(pane.canvas, pane.view || this.view);
+    const plot = this.plot(pane);
     const ratio = ratioNow();
     const x = plot.column((event.clientX - box.left) * ratio);
     const y = plot.row((event.clientY - box.top) * ratio);
@@ -335,7 +271,7 @@ class Pictures {
       canvas.setPointerCapture(event.pointerId);
     });
     canvas.addEventListener("pointermove", (event) => {
-      if (drag && !pane.view) this.pan(drag, event);
+      if (drag && !pane.view && event.pointerType !== "touch") this.pan(drag, event);
       const place = this.placeOf(pane, event);
       this.point(place.pixel, place, pane);
     });
@@ -364,7 +300,7 @@ class Pictures {
 
   point(pixel, place, pane) {
     this.hover = pixel;
-    const reach = 7 * ratioNow() / (pane.view || this.view).scale;
+    const reach = 7 * ratioNow() / this.plot(pane).scale;
     this.near = place && vertexNear(this.one.figure, place, reach);
     this.draw();
   }
@@ -378,11 +314,12 @@ class Pictures {
   tell() {
     const pixel = this.hover || this.pixel;
     if (!pixel) return void replace(this.readout, "Point at a pixel to read it.");
-    const exact = this.colorOf(this.exact, pixel);
-    const rendered = this.colorOf(this.rendered, pixel);
+    const {exactSamples, renderedSamples} = this.painter;
+    const exact = this.colorOf(this.painter.exact, pixel);
+    const rendered = this.colorOf(this.painter.rendered, pixel);
     const text = (name, color) => h("span", {}, name + " " +
       (color ? color.join(" ") + " " + bytesHex(color) : "none"));
-    if (this.table) replace(this.table, sampleTable(this.exactSamples, this.renderedSamples, pixel,
+    if (this.table) replace(this.table, sampleTable(exactSamples, renderedSamples, pixel,
       {exact, rendered}));
     replace(this.readout,
       h("b", {}, "(" + pixel.x + ", " + pixel.y + ")"),

@@ -42,7 +42,7 @@ function scenesSection() {
   return h("section.first", {}, h("h2", {}, "Whole scenes, pixel by pixel"),
     h("p.faint", {}, "Each pixel counts once, by the worst that was found at it, seen or hidden; " +
       "\u201csame colour\u201d counts those whose stored colour is exact\u2019s to the bit."),
-    h("div.scroll", {}, h("table.clusters.shares", {},
+    scrolled("Whole scenes", h("table.clusters.shares", {},
       h("thead", {}, h("tr", {}, h("td", {}), ["scenes", "pixels"].map((text) =>
         h("th", {scope: "col"}, text)), PIXEL_VERDICTS.map((verdict) =>
         h("th", {scope: "col", title: VERDICTS[verdict].means}, verdictIcon(verdict), verdict)),

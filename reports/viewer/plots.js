@@ -36,7 +36,7 @@ function familyTable() {
     h("thead", {}, h("tr", {}, ["family", "cases"].map((text) => h("th", {scope: "col"}, text)),
       Data.renderers.map((info) => h("th", {scope: "col"}, info.name)))),
     h("tbody", {}, [...families].map(([family, cells]) => h("tr", {},
-      h("th", {scope: "row"}, h("a", {href: Route.href({...NO_FILTERS, q: family + "/"})}, family)),
+      h("th", {scope: "row"}, h("a", {href: Route.href({...NOWHERE, q: family + "/"})}, family)),
       h("td.count", {}, cells[0].all.toLocaleString("en")), cells.map(cell))))));
 }
 

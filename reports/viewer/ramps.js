@@ -45,7 +45,7 @@ class Ramps {
     this.onpick = onpick;
     this.column = null;   // pointed at
     this.pixel = null;    // chosen
-    const answers = [...new Set(one.results.map((r) => r.answer))].filter((a) => a.ramp);
+    const answers = [...new Set([chosen, ...one.results].map((r) => r.answer))].filter((a) => a.ramp);
     this.plots = answers.map((answer) => this.plot(rampOf(answer), chosen));
     const points = this.plots.flatMap((plot) => plot.ramp.points);
     this.levels = rangeOf(points, 1, 1);
@@ -101,7 +101,7 @@ class Ramps {
     const plot = {ramp, result, svg, readout, element: null};
     plot.element = h("figure", {class: "r-" + first % 8},
       h("figcaption", {}, h("i", {}), names,
-        result === chosen && h("span.faint", {}, "shown above")), svg, words, readout);
+        result === chosen && h("span.faint", {}, "shown beside")), svg, words, readout);
     this.listen(plot);
     return plot;
   }

@@ -267,6 +267,39 @@ CaseSize::CaseSize(const CaseResults& one)
       length(one.id.size()),
       id(one.id) {}
 
+std::optional<Cluster> leading_cluster(const CaseResults& one, const Result& result) {
+  Cluster cluster;
+  cluster.surface = one.surface;
+  if (const auto worst =
+          std::ranges::max_element(result.disagreements, {}, &Disagreement::legality);
+      worst != result.disagreements.end()) {
+    cluster.cause = text_of(worst->cause);
+    cluster.legality = worst->legality;
+    cluster.rule = name_of(worst->rule);
+    cluster.kind = name_of(worst->kind);
+    if (worst->cause.empty()) cluster.situation = worst->situation;
+    return cluster;
+  }
+  for (const ValueAggregate& values : result.values) {
+    if (values.differing.empty()) continue;
+    cluster.cause = text_of(values.cause);
+    cluster.legality = Legality::legal;
+    cluster.rule = name_of(values.rule);
+    cluster.kind = name_of(DisagreementKind::value);
+    if (values.cause.empty()) cluster.attribute = values.attribute;
+    return cluster;
+  }
+  return std::nullopt;
+}
+
+bool is_same_cluster(const Cluster& a, const Cluster& b) {
+  if (a.cause != b.cause || a.surface != b.surface || a.legality != b.legality) return false;
+  const auto without_cause = [](const Cluster& cluster) {
+    return std::tie(cluster.rule, cluster.kind, cluster.situation, cluster.attribute);
+  };
+  return !a.cause.empty() || without_cause(a) == without_cause(b);
+}
+
 std::string title_of(const Cluster& cluster) {
   std::string text = cluster.cause;
   if (text.empty()) {

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,14 @@ struct Cluster {
   int y = 0;                  // pixel row, y up
   int primitive = -1;         // index in drawing order; -1: the pixel as a whole
 };
+
+// The cluster of the difference that an answer is told by: the first of the worst, else the first
+// attribute whose values differ. Its counts and its smallest case are not set. Nothing for an
+// answer in which nothing differs, or that is none.
+std::optional<Cluster> leading_cluster(const CaseResults& one, const Result& result);
+
+// True if both are of one cluster of their renderer.
+bool is_same_cluster(const Cluster& a, const Cluster& b);
 
 // The clusters of the renderer at `renderer`: illegal ones first, then contested ones, then legal
 // ones. Within each, those that most cases share come first, then those of most differences; ties

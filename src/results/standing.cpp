@@ -170,6 +170,20 @@ bool is_partial(const Results& results, std::size_t renderer, const KnownFault& 
   return unsupported + before > named && unsupported > 0;
 }
 
+std::string shortest_case_with(const Results& results, const std::string& renderer,
+                               const std::string& fault) {
+  const auto at = std::ranges::find(results.renderers, renderer, &RendererInfo::name);
+  if (at == results.renderers.end()) return "";
+  const auto index = static_cast<std::size_t>(at - results.renderers.begin());
+  std::string shortest;
+  for (const CaseOutline& one : results.cases.outlines()) {
+    if (!shortest.empty() && one.id.size() >= shortest.size()) continue;
+    const std::vector<std::string>& faults = one.answers[index].faults;
+    if (std::ranges::find(faults, fault) != faults.end()) shortest = one.id;
+  }
+  return shortest;
+}
+
 bool has_grown(const Results& results) {
   return std::ranges::any_of(results.faults,
                              [](const FaultSeen& seen) { return seen.state == FaultState::grown; });

@@ -28,6 +28,11 @@ std::vector<const KnownFault*> faults_behind(const CaseResults& one, const Resul
 // does not tell that the fault has shrunk or is fixed.
 bool is_partial(const Results& results, std::size_t renderer, const KnownFault& fault);
 
+// The shortest id of a case in which a known fault of the renderer occurs, the first of equals;
+// empty for none.
+std::string shortest_case_with(const Results& results, const std::string& renderer,
+                               const std::string& fault);
+
 // True if some known fault occurs in more cases than its file says, which is red.
 bool has_grown(const Results& results);
 

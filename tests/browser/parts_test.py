@@ -68,7 +68,7 @@ class Parts(ReportTest):
                         for x in range(synthetic.SIZE)]
                 case["results"][name] = {**case["results"][name], "ramp": ramp}
         page = self.report(synthetic.results_with(cases))
-        self.browser.open(page)
+        self.browser.open(page, "#view=statistics")
         self.browser.ask("document.querySelectorAll('details').forEach((d) => { d.open = true; })")
         self.browser.wait("document.querySelectorAll('.ramp-card svg').length === 4")
         words = self.browser.ask("document.querySelector('.ramp-card').innerText")
@@ -86,14 +86,16 @@ class Parts(ReportTest):
 
     def test_paper_holds_the_list_and_not_its_empty_room(self):
         page = self.report(synthetic.make(400, 800))
-        self.browser.open(page)
+        self.browser.open(page, "#view=cases")
+        self.browser.ask("Cases.forEach((one) => CaseList.open.add(one.head))")
+        self.browser.ask("CaseList.show(Route.read())")
         self.browser.cdp("Emulation.setEmulatedMedia", media="print")
         self.browser.ask("dispatchEvent(new Event('beforeprint'))")
         self.assertEqual(self.browser.ask("document.querySelectorAll('#list .row').length"), 200)
-        self.assertIn("The first 200 of 400 cases", self.browser.ask(
+        self.assertIn("The first 200 of 408 rows", self.browser.ask(
             "document.querySelector('#list .rows').textContent"))
         last, foot = self.browser.ask(
-            "[...document.querySelectorAll('#list .row:last-of-type, #list .empty')]"
+            "[...document.querySelectorAll('#list .rows > :nth-last-child(2), #list .empty')]"
             ".map((part) => part.getBoundingClientRect().bottom)")
         end = self.browser.ask("document.querySelector('#list .rows').getBoundingClientRect().bottom")
         self.assertTrue(last < foot <= end < foot + 10, (last, foot, end))
@@ -101,7 +103,7 @@ class Parts(ReportTest):
         self.browser.ask("dispatchEvent(new Event('afterprint'))")
         self.browser.ask("scrollTo(0, document.documentElement.scrollHeight)")
         self.browser.ask("CaseList.paint()")
-        self.assertTrue(self.browser.ask("CaseList.last === 400 && CaseList.first > 300"))
+        self.assertTrue(self.browser.ask("CaseList.last === 408 && CaseList.first > 300"))
 
 
 if __name__ == "__main__":

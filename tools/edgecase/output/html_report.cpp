@@ -62,7 +62,10 @@ class Sources {
 ReportTexts texts_of(const Results& results, const std::optional<Comparison>& since) {
   ReportTexts texts;
   for (const Rule& rule : all_rules()) {
-    texts.rules.push_back({name_of(rule.id), rule.title, rule.spec, rule.latitude, rule.standard});
+    texts.rules.push_back(
+        {name_of(rule.id), rule.title, rule.spec, rule.latitude, rule.standard, {}});
+    for (const Alternative& alternative : rule.alternatives)
+      texts.rules.back().alternatives.emplace_back(alternative.name, alternative.meaning);
     for (const Ruling& ruling : rule.rulings) {
       texts.rulings.push_back({ruling.number, ruling.text, {}});
       for (RulingFact& fact : facts_of(ruling))
