@@ -119,8 +119,8 @@ std::string draw_limit(const Draw& draw, const Target& target, const DriverLimit
   return "";
 }
 
-// What shaders before OpenGL 4.3 and OpenGL ES 3.1 have by extensions, and what is told of fragments
-// only by shaders that write to buffers.
+// What shaders before OpenGL 4.3 and OpenGL ES 3.1 have by extensions, and what is told of
+// fragments only by shaders that write to buffers.
 std::string word_limit(const Scene& scene, const DriverLimits& limits) {
   if (limits.writes_storage) return "";
   if (scene.details.derivatives && !limits.derives_fine_and_coarse)

@@ -21,15 +21,15 @@ namespace edgecase {
 
 // The optional features of an OpenGL ES context, by its version and its extensions.
 struct EsFeatures {
-  bool noperspective = false;   // interpolation without perspective
+  bool noperspective = false;    // interpolation without perspective
   bool sampled_textures = true;  // textures of multisampled targets, of which samples are read
-  bool samples = false;         // gl_SampleMaskIn, and the qualifier sample
-  bool sample_shading = false;  // glMinSampleShading
-  bool borders = false;         // wrapping by clamp_to_border
-  bool filters_floats = false;  // linear filters of textures of 32-bit floats
-  bool float_targets = false;   // framebuffers of 32-bit floats, and blending in them
-  bool reads_depths = false;    // glReadPixels of a depth buffer
-  bool reads_stencils = false;  // the same of a stencil buffer
+  bool samples = false;          // gl_SampleMaskIn, and the qualifier sample
+  bool sample_shading = false;   // glMinSampleShading
+  bool borders = false;          // wrapping by clamp_to_border
+  bool filters_floats = false;   // linear filters of textures of 32-bit floats
+  bool float_targets = false;    // framebuffers of 32-bit floats, and blending in them
+  bool reads_depths = false;     // glReadPixels of a depth buffer
+  bool reads_stencils = false;   // the same of a stencil buffer
 };
 
 EsFeatures es_features(const GladGLContext& gl);

@@ -91,8 +91,7 @@ Programs link_form(const GladGLContext& gl, const std::string& at, const std::st
                    std::string& log) {
   Programs programs;
   const std::string version = head_of_fragments(gl);
-  const std::string capture =
-      (has_storage_blocks(gl) ? kStorage : kWords) + head + kCaptureShader;
+  const std::string capture = (has_storage_blocks(gl) ? kStorage : kWords) + head + kCaptureShader;
   programs.color = link(gl, at, version, head + kColorShader, log);
   programs.capture = link(gl, at, version, capture, log);
   if (!log.empty()) return programs;

@@ -55,8 +55,8 @@ constexpr GLuint kCaptureBinding = 0;
 constexpr GLuint kLimitsUnit = 2;
 
 struct Programs {
-  GlProgram color;    // writes the fragment's colour
-  GlProgram count;    // writes the step to red; in multisampled scenes, alpha as well
+  GlProgram color;  // writes the fragment's colour
+  GlProgram count;  // writes the step to red; in multisampled scenes, alpha as well
   // Writes the colour, and appends a record: see reference/capture.h. Without storage blocks it
   // writes a part of the record instead of the colour: see reference/word_capture.h.
   GlProgram capture;
@@ -97,8 +97,8 @@ bool can_query_level_of_detail(const GladGLContext& gl);
 std::variant<Programs, ProgramError> make_texture_programs(const GladGLContext& gl, LookupForm form,
                                                            bool query);
 
-// Compiles one program of any two shaders, given without a version, in GLSL 4.30 or GLSL ES 3.10 or,
-// where the context has less, without their layouts of uniforms.
+// Compiles one program of any two shaders, given without a version, in GLSL 4.30 or GLSL ES 3.10
+// or, where the context has less, without their layouts of uniforms.
 std::variant<GlProgram, ProgramError> make_program(const GladGLContext& gl,
                                                    const std::string& vertex,
                                                    const std::string& fragment);

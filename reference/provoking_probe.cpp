@@ -2,6 +2,9 @@
 #include "reference/provoking_probe.h"
 
 #include <algorithm>
+#include <string>
+
+#include "reference/scene_renderer.h"
 
 namespace edgecase {
 
@@ -35,6 +38,22 @@ bool obeys(const Rendering& rendering, const Scene& scene) {
                return std::equal(color.begin(), color.end(), fragment.color.begin(),
                                  [](float a, double b) { return static_cast<double>(a) == b; });
              });
+}
+
+void SceneRenderer::probe_provoking_vertices() {
+  std::string names;
+  for (ProvokingVertex which : {ProvokingVertex::first, ProvokingVertex::last}) {
+    bool& works = limits_.provoking[static_cast<std::size_t>(which)];
+    for (Primitive primitive : {Primitive::lines, Primitive::triangles}) {
+      const Scene scene = provoking_scene(primitive, which);
+      const Outcome outcome = render(scene);
+      // Primitives that cannot be drawn at all are refused with every scene.
+      const auto* rendering = std::get_if<Rendering>(&outcome);
+      if (rendering != nullptr && !obeys(*rendering, scene)) works = false;
+    }
+    if (works) names += (names.empty() ? "" : " ") + std::string(name_of(which));
+  }
+  info_.traits["provoking_vertices"] = names.empty() ? "none" : names;
 }
 
 }  // namespace edgecase

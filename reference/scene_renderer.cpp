@@ -13,7 +13,6 @@
 #include "reference/depth_buffer.h"
 #include "reference/draw_state.h"
 #include "reference/gl_api.h"
-#include "reference/provoking_probe.h"
 #include "reference/read_back.h"
 #include "reference/rendering_doubt.h"
 #include "reference/stencil_buffer.h"
@@ -111,22 +110,6 @@ SceneRenderer::SceneRenderer(GlContext& context) {
     probe_provoking_vertices();
 }
 
-void SceneRenderer::probe_provoking_vertices() {
-  std::string names;
-  for (ProvokingVertex which : {ProvokingVertex::first, ProvokingVertex::last}) {
-    bool& works = limits_.provoking[static_cast<std::size_t>(which)];
-    for (Primitive primitive : {Primitive::lines, Primitive::triangles}) {
-      const Scene scene = provoking_scene(primitive, which);
-      const Outcome outcome = render(scene);
-      // Primitives that cannot be drawn at all are refused with every scene.
-      const auto* rendering = std::get_if<Rendering>(&outcome);
-      if (rendering != nullptr && !obeys(*rendering, scene)) works = false;
-    }
-    if (works) names += (names.empty() ? "" : " ") + std::string(name_of(which));
-  }
-  info_.traits["provoking_vertices"] = names.empty() ? "none" : names;
-}
-
 void SceneRenderer::describe(const GlContext& context) {
   const auto text = [&](GLenum name) {
     const GLubyte* value = gl_.GetString(name);
@@ -196,13 +179,12 @@ void SceneRenderer::draw_all(const Scene& scene, const Pass& pass) {
   gl_.BindVertexArray(objects_->vertex_array.name());
   GLint first = 0;
   for (const Draw& draw : scene.draws) {
-    const GlProgram& program =
-        objects_->programs.find(scene, draw, pass.looks_up).*pass.program;
+    const GlProgram& program = objects_->programs.find(scene, draw, pass.looks_up).*pass.program;
     gl_.UseProgram(program.name());
     set_state(gl_, scene, draw, program);
     if (is_multisampled(scene))
-      set_multisampling(gl_, pass.writes_all() ? without_alpha(draw.multisampling)
-                                               : draw.multisampling,
+      set_multisampling(gl_,
+                        pass.writes_all() ? without_alpha(draw.multisampling) : draw.multisampling,
                         scene.target.samples);
     gl_.Disable(GL_BLEND);
     if (has_more_state) set_fragment_state(gl_, scene, draw, pass.kind);
@@ -330,7 +312,8 @@ void SceneRenderer::drop_details(const Scene& scene, Rendering& rendering) const
     for_each_field<FragmentDetail>([&](const auto& field) {
       if (!field.is_asked(scene.details, texture.has_value())) detail.*field.member = {};
     });
-    if (texture && !(limits_.queries_level_of_detail && texture->lookup.kind == LookupKind::implicit))
+    if (texture &&
+        !(limits_.queries_level_of_detail && texture->lookup.kind == LookupKind::implicit))
       detail.level_of_detail.reset();
   }
 }
@@ -370,7 +353,8 @@ std::optional<Failure> SceneRenderer::take_failure() const {
 }
 
 std::variant<Surfaces, Failure> SceneRenderer::prepare(const Scene& scene, bool looks_up) {
-  if (std::string problem = objects_->programs.prepare(scene, looks_up, limits_.queries_level_of_detail);
+  if (std::string problem =
+          objects_->programs.prepare(scene, looks_up, limits_.queries_level_of_detail);
       !problem.empty())
     return Failure{FailureKind::unsupported, std::move(problem)};
   auto found = objects_->targets.find(scene.target);

@@ -93,7 +93,7 @@ class SceneRenderer {
   // The differences between the passes over a scene.
   struct Pass {
     GlProgram Programs::*program = nullptr;
-    bool looks_up = false;       // with the programs for textures
+    bool looks_up = false;  // with the programs for textures
     PassKind kind = PassKind::pixels;
     Capture* capture = nullptr;  // for a pass that captures into it
     int part = 0;                // of a record, for a pass that captures without
@@ -134,8 +134,8 @@ class SceneRenderer {
   std::optional<std::string> capture_fragments(const Scene& scene, const Surfaces& surfaces,
                                                bool coverage_only, Rendering& rendering);
   // The same without storage blocks.
-  std::optional<std::string> capture_words(const Scene& scene, const Surfaces& surfaces,
-                                           Pass pass, Capture::Form form, bool coverage_only,
+  std::optional<std::string> capture_words(const Scene& scene, const Surfaces& surfaces, Pass pass,
+                                           Capture::Form form, bool coverage_only,
                                            Rendering& rendering);
   // Whether there are more hits than fragments in words, as a sentence.
   std::optional<std::string> doubt_of_words(const Scene& scene, const Surfaces& surfaces,

@@ -120,8 +120,8 @@ void WordCapture::take(int part, const std::vector<std::uint8_t>& colors) {
   for (const Site& site : sites_) {
     const std::uint8_t* color = &colors[4 * site.index];
     if (color[3] != site.tag && doubt_.empty())
-      doubt_ = fmt::format("pixel {} was drawn otherwise when asked again",
-                           location_of(pixel_of(site)));
+      doubt_ =
+          fmt::format("pixel {} was drawn otherwise when asked again", location_of(pixel_of(site)));
     for (int i = 0; i < kBytesOfPart; ++i) {
       const int byte = kBytesOfPart * part + i;
       const auto word = static_cast<std::size_t>(byte / kBytesOfWord);
@@ -178,7 +178,8 @@ std::string WordCapture::doubt_of_hits(const std::vector<std::uint32_t>& hits) c
   if (found.first == hits.end()) return "";
   const auto index = static_cast<std::size_t>(found.first - hits.begin());
   return fmt::format(
-      "pixel {} has {} hits, and {} fragments: without storage blocks a primitive's second fragment "
+      "pixel {} has {} hits, and {} fragments: without storage blocks a primitive's second "
+      "fragment "
       "of a pixel is not told",
       location_of(index % limits_.size()), *found.first, *found.second);
 }

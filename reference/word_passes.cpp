@@ -12,9 +12,8 @@ namespace {
 // Whether each fragment that a capture tells is also counted as a hit.
 bool counts_all(const Scene& scene) {
   return !has_fragment_operations(scene) &&
-         std::none_of(scene.draws.begin(), scene.draws.end(), [](const Draw& draw) {
-           return draw.multisampling.alpha_to_coverage;
-         });
+         std::none_of(scene.draws.begin(), scene.draws.end(),
+                      [](const Draw& draw) { return draw.multisampling.alpha_to_coverage; });
 }
 
 }  // namespace
@@ -26,8 +25,7 @@ std::vector<std::uint8_t> SceneRenderer::draw_part(const Scene& scene, const Sur
   if (surfaces.multisampled != nullptr)
     return objects_->targets.samples().colors(*surfaces.multisampled);
   std::vector<std::uint8_t> colors(4 * rendering.pixel_index(0, rendering.height));
-  gl_.ReadPixels(0, 0, rendering.width, rendering.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                 colors.data());
+  gl_.ReadPixels(0, 0, rendering.width, rendering.height, GL_RGBA, GL_UNSIGNED_BYTE, colors.data());
   return colors;
 }
 

@@ -51,9 +51,9 @@ class WordCaptureTest : public ::testing::Test {
       words[5] = std::bit_cast<std::uint32_t>(-0.75F);
       words[kSamplesWord] = one.samples;
       for (int byte = 3 * part; byte < 3 * part + 3; ++byte)
-        colors.push_back(one.primitive < 0 ? std::uint8_t{0}
-                                           : static_cast<std::uint8_t>(words[byte / 4] >>
-                                                                       8 * (byte % 4)));
+        colors.push_back(one.primitive < 0
+                             ? std::uint8_t{0}
+                             : static_cast<std::uint8_t>(words[byte / 4] >> 8 * (byte % 4)));
       colors.push_back(one.primitive < 0 ? std::uint8_t{0}
                                          : static_cast<std::uint8_t>(one.primitive % 255 + 1));
     }
