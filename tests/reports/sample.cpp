@@ -383,12 +383,12 @@ Results results() {
 
 ReportTexts texts() {
   ReportTexts texts;
+  const auto rule = [](auto... words) { return RuleText{words..., {}}; };
   texts.rules = {
-      {kLineRule, "Lines leave diamonds", "GL 4.6 core, 14.5.1",
-       "An implementation may deviate by one unit, and by one fragment.", "left-bottom"},
-      {kFillRule, "A sample on a common edge belongs to one triangle", "GL 4.6 core, 14.6.1",
-       "Which of the two is open.", "left-top"},
-      {kColorRule, "Interpolated colours", "GL 4.6 core, 2.3.4", "About 1 part in 10^5.", ""}};
+      rule(kLineRule, "Lines leave diamonds", "GL 4.6 core, 14.5.1",
+           "An implementation may deviate by one unit, and by one fragment.", "left-bottom"),
+      rule(kFillRule, "A sample on an edge", "14.6.1", "Which of the two is open.", "left-top"),
+      rule(kColorRule, "Interpolated colours", "GL 4.6 core, 2.3.4", "About 1 part in 10^5.", "")};
   texts.rulings = {{1, "Each fragment has one of exact within a unit.", {{"Text", kHostile}}},
                    {2, "The number of fragments differs by at most one.", {}},
                    {9, "Values inside the interval are permitted. " + kHostile, {}}};
