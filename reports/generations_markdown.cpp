@@ -13,32 +13,7 @@
 namespace edgecase {
 namespace {
 
-std::size_t cases_of(const CasesOn& cases, const Release& release) {
-  const auto found = cases.find(text_of(release));
-  return found == cases.end() ? 0 : found->second;
-}
-
-// "all", "until Mesa 22.3.6", "since Mesa 26.2.6", "Mesa 25.0.7 alone": where the first
-// and the last release that showed a fault stand among those that were run.
-std::string words_of_span(const std::vector<Release>& releases, const CasesOn& cases) {
-  std::size_t first = releases.size();
-  std::size_t last = 0;
-  for (std::size_t i = 0; i < releases.size(); ++i) {
-    if (cases_of(cases, releases[i]) == 0) continue;
-    first = std::min(first, i);
-    last = i;
-  }
-  if (first == releases.size()) return "none";
-  const bool from_first = first == 0;
-  const bool to_last = last + 1 == releases.size();
-  if (from_first && to_last) return "all";
-  if (from_first) return "until " + text_of(releases[last]);
-  if (to_last) return "since " + text_of(releases[first]);
-  if (first == last) return text_of(releases[first]) + " alone";
-  return text_of(releases[first]) + " to " + text_of(releases[last]);
-}
-
-// Of one fault: its name, its cases by release, and which releases show it.
+// A line of the table: a heading, or a fault.
 struct Row {
   std::string name;
   std::vector<std::string> cases;
@@ -47,16 +22,13 @@ struct Row {
 };
 
 // A heading, the faults, and what is not known.
-std::vector<Row> rows_of(const DriverGenerations& driver) {
+std::vector<Row> lines_of(const DriverGenerations& driver) {
   std::vector<Row> rows = {{"fault", {}, "seen", "what"}};
-  const auto add = [&](const std::string& name, const CasesOn& cases, const std::string& reason) {
-    Row& row = rows.emplace_back(Row{name, {}, words_of_span(driver.releases, cases), reason});
-    for (const Release& release : driver.releases)
-      row.cases.push_back(std::to_string(cases_of(cases, release)));
-  };
   for (const Release& release : driver.releases) rows[0].cases.push_back(text_of(release));
-  for (const auto& [id, cases] : driver.faults) add(id, cases, driver.reasons.at(id));
-  add("not known", driver.unexpected, "");
+  for (const GenerationRow& one : rows_of(driver)) {
+    Row& row = rows.emplace_back(Row{one.name, {}, one.seen, one.reason});
+    for (const std::size_t cases : one.cases) row.cases.push_back(std::to_string(cases));
+  }
   return rows;
 }
 
@@ -67,7 +39,7 @@ std::string markdown_line(const Row& row) {
 }
 
 std::string table(const std::string& name, const DriverGenerations& driver) {
-  std::vector<Row> rows = rows_of(driver);
+  std::vector<Row> rows = lines_of(driver);
   for (std::string& release : rows.front().cases) release = markdown_cell(release);
   std::string text =
       fmt::format("\n## {}\n\n{}|---|", markdown_code(name), markdown_line(rows.front()));
@@ -93,7 +65,7 @@ std::string generations_markdown(const Generations& generations) {
 std::string generations_text(const Generations& generations) {
   std::string text;
   for (const auto& [name, driver] : generations) {
-    const std::vector<Row> rows = rows_of(driver);
+    const std::vector<Row> rows = lines_of(driver);
     std::size_t widest = 0;
     std::vector<std::size_t> widths(driver.releases.size());
     for (const Row& row : rows) {

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "results/comparison.h"
+#include "results/generations.h"
 #include "results/results.h"
 
 namespace edgecase {
@@ -31,7 +32,7 @@ struct RuleText {
   std::string spec;      // section of the specification
   std::string latitude;  // what the specification leaves open
   std::string standard;  // the alternative of policy `opengl`, or empty
-  std::vector<std::pair<std::string, std::string>> alternatives;  // name -> meaning
+  std::vector<std::pair<std::string, std::string>> alternatives = {};  // name -> meaning
 };
 
 // One numbered ruling, in a sentence or two.
@@ -56,6 +57,7 @@ struct ReportTexts {
   // The text of a case's file, or empty where it cannot be shown. Unset: no text is.
   std::function<std::string(const CaseResults& one)> source_of;
   std::optional<Comparison> since;  // from earlier results to these
+  Generations generations;          // known faults by release; empty: not told
 };
 
 // Limits in bytes: of a page, of the details in it, and of a script beside it.

@@ -106,6 +106,22 @@ std::vector<std::size_t> worth_a_look(const Results& results) {
   return order;
 }
 
+Json generations_json(const Generations& generations) {
+  Json list = Json::array();
+  for (const auto& [name, driver] : generations) {
+    Json one = {{"driver", name}, {"releases", Json::array()}, {"rows", Json::array()}};
+    for (const Release& release : driver.releases) one["releases"].push_back(text_of(release));
+    for (const GenerationRow& row : rows_of(driver))
+      one["rows"].push_back({{"name", row.name},
+                             {"cases", row.cases},
+                             {"seen", row.seen},
+                             {"reason", row.reason},
+                             {"smallest", row.smallest}});
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
 }  // namespace
 
 ReportData report_data(const Results& results, const ReportTexts& texts, std::size_t most) {
@@ -136,6 +152,7 @@ ReportData report_data(const Results& results, const ReportTexts& texts, std::si
   data.blocks = blocks.take();
   Json index = report_index(results, texts, heads, lines);
   index["blocks"] = blocks.first_lines();
+  if (!texts.generations.empty()) index["generations"] = generations_json(texts.generations);
   Digest digest;
   digest.add(dump(index));
   for (const std::string& block : data.blocks) digest.add(block);

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "results/known_faults.h"
 #include "results/results.h"
@@ -21,10 +22,24 @@ using CasesOn = std::map<std::string, std::size_t>;  // by text_of(Release)
 // showed.
 struct DriverGenerations {
   std::vector<Release> releases;
-  std::map<std::string, CasesOn> faults;       // by id; 0: the release was run without it
-  std::map<std::string, std::string> reasons;  // by id: those of the newest release
-  CasesOn unexpected;                          // cases that no known fault accounts for
+  std::map<std::string, CasesOn> faults;        // by id; 0: the release was run without it
+  std::map<std::string, std::string> reasons;   // by id: those of the newest release
+  std::map<std::string, std::string> smallest;  // by id: a case of the newest release with it
+  CasesOn unexpected;                           // cases that no known fault accounts for
 };
+
+// A row of the table of a driver: one fault, or last, without a reason, what is not known.
+struct GenerationRow {
+  std::string name;                // id of the fault; "not known"
+  std::vector<std::size_t> cases;  // by release
+  // "all", "until Mesa 22.3.6", "since Mesa 26.2.6", "Mesa 25.0.7 alone": where the first and the
+  // last release that showed it stand among those that were run.
+  std::string seen;
+  std::string reason;
+  std::string smallest;  // id of a case that shows it, or empty
+};
+
+std::vector<GenerationRow> rows_of(const DriverGenerations& driver);
 
 using Generations = std::map<std::string, DriverGenerations>;  // by driver
 

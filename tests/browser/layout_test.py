@@ -45,12 +45,12 @@ class Layout(ReportTest):
                                 "(document.querySelector(arguments[0]).getBoundingClientRect())", selector)
 
     def test_the_list_is_within_the_first_screen_and_keeps_its_heads_and_verdicts(self):
-        page = self.report(synthetic.make(2000, 3000))
+        page = self.report(synthetic.make(500, 800))
         self.browser.open(page, "#view=cases")
         self.assertLess(self.box("#list .row")[0], 400)
         self.browser.ask("document.querySelectorAll('.sweep')[0].click()")
         self.browser.wait("document.querySelectorAll('.row.part').length > 5")
-        self.browser.ask("scrollTo(0, 1200)")
+        self.browser.ask("scrollTo(0, 700)")
         self.browser.ask("CaseList.paint()")
         top, bottom, *_ = self.box(".list-head")
         self.assertTrue(0 <= top < bottom < 120, (top, bottom))

@@ -9,6 +9,7 @@ import unittest
 
 from report_pages import ReportTest
 import results_file
+import results_file
 import synthetic_results as synthetic
 
 CAUSE = "triangle.fill-rule=left-bottom"
@@ -144,6 +145,39 @@ class Review(ReportTest):
         self.browser.driver.find_element("css selector", ".known td a").click()
         self.browser.wait(f"CaseView.one?.id === {json.dumps(one['id'])}")
         self.assert_quiet(page)
+
+    def test_generations_lead_from_each_fault_to_a_case(self):
+        driver, pages = synthetic.RENDERERS[0], []
+        for release, begun in (("22.3.6", 0), ("25.0.7", 1)):
+            one = synthetic.case_of(1, [1, 0, 0], 3)
+            if begun:
+                one["results"][driver].update(standing="known", faults=["ties"])
+            results = synthetic.results_with([one])
+            results["whole_suite"] = True
+            for info in results["renderers"]:
+                info.update(version=f"4.5 (Core Profile) Mesa {release}", device="llvmpipe (LLVM 15)")
+            results["faults"] = begun * [{
+                "renderer": driver, "id": "ties", "reason": "Ties go left-bottom.", "link": "",
+                "cases": 1, "state": "known"}]
+            pages.append(self.write(f"{release}.json", results_file.text_of(results)))
+        page = self.folder / "report.html"
+        self.command("report", *pages, "--html", page)
+        self.browser.open(page)
+        self.browser.press("m")
+        self.browser.wait("document.querySelector('.generations')")
+        rows = self.browser.ask("[...document.querySelector('[aria-label*=llvmpipe] table').rows]"
+                                ".map((row) => [...row.cells].map((cell) => cell.innerText.trim()))")
+        self.assertEqual(rows[0][1:3], ["Mesa 22.3.6", "Mesa 25.0.7"])
+        self.assertEqual(rows[1], ["ties", "0", "1", "since Mesa 25.0.7", "Ties go left-bottom."])
+        self.assertEqual(rows[2][0], "not known")
+        self.browser.driver.find_element("css selector", ".generations td a").click()
+        self.browser.wait("CaseView.one")
+        self.browser.press("ESCAPE")
+        self.browser.wait("document.querySelector('h1')")
+        part = synthetic.results_with([synthetic.case_of(1, [1, 0, 0], 3)])
+        refused = self.command("report", pages[0], self.write("part.json", results_file.text_of(part)),
+                               "--html", page, expect=2)
+        self.assertIn("they are not of the whole suite", refused.stderr)
 
 
 if __name__ == "__main__":

@@ -25,10 +25,7 @@ ExitCode show_generations(const GenerationsCommand& command) {
     ExitCode exit = ExitCode::as_expected;
     const auto results = load_results(file, exit);
     if (!results) return exit;
-    if (const auto fault = add_generation(generations, *results)) {
-      print_error(fmt::format("{}: {}; run `edgecase run` without a selection", file, *fault));
-      return ExitCode::usage;
-    }
+    if (!add_generation_of(file, *results, generations)) return ExitCode::usage;
   }
   if (command.markdown.empty()) {
     fmt::print("{}", generations_text(generations));

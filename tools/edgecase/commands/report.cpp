@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "results/standing.h"
@@ -16,8 +17,8 @@ namespace edgecase {
 namespace {
 
 struct ReportCommand {
-  std::string results;
-  std::string since;  // results file, or empty
+  std::vector<std::string> results;  // of several releases; the last are reported
+  std::string since;                 // results file, or empty
   ReportFiles files;
   std::vector<std::string> timings;
   bool strict = false;
@@ -25,10 +26,16 @@ struct ReportCommand {
 
 ExitCode report(const ReportCommand& command) {
   ExitCode exit = ExitCode::as_expected;
-  auto results = load_results(command.results, exit);
-  if (!results) return exit;
-  if (command.strict) hold_contested(*results);
   ReportFiles files = command.files;
+  std::optional<Results> results;
+  for (const std::string& file : command.results) {
+    results.reset();  // one at a time in memory
+    results = load_results(file, exit);
+    if (!results) return exit;
+    if (command.results.size() > 1 && !add_generation_of(file, *results, files.generations))
+      return ExitCode::usage;
+  }
+  if (command.strict) hold_contested(*results);
   auto durations = load_durations(command.timings, exit);
   if (!durations) return exit;
   files.durations = std::move(*durations);
@@ -47,7 +54,11 @@ void add_report_command(CLI::App& app, ExitCode& exit) {
   CLI::App* command =
       app.add_subcommand("report", "Write reports from a results file, without rendering");
   auto options = std::make_shared<ReportCommand>();
-  command->add_option("results", options->results, "Results file of `edgecase run`")->required();
+  command
+      ->add_option("results", options->results,
+                   "Results file of `edgecase run`; of several, whole ones of several releases, "
+                   "the last is reported, and the HTML report has known faults by release")
+      ->required();
   command->add_option("--since", options->since,
                       "Earlier results file; the HTML report shows what has changed since");
   add_strict_option(*command, options->strict);

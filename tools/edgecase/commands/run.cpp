@@ -2,15 +2,21 @@
 //
 // edgecase run: the suite against renderers, judged, held against known faults, reported.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <optional>
+#include <thread>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "model/text.h"
+#include "reports/summary.h"
 #include "reports/text.h"
 #include "run/record.h"
 #include "run/rerun.h"
@@ -18,6 +24,7 @@
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/output/delivery.h"
 #include "tools/edgecase/suite_run.h"
+#include "tools/edgecase/watched_files.h"
 
 namespace edgecase {
 namespace {
@@ -34,6 +41,7 @@ struct RunCommand {
   bool resume = false;
   bool no_rerun = false;
   bool strict = false;
+  bool watch = false;
   std::size_t max_failures = 0;
   std::string since;
   std::string fail_on = "violations";
@@ -126,7 +134,38 @@ bool are_renderers_known(const SuiteRunOptions& options) {
   return are_known(names);
 }
 
-ExitCode run(const RunCommand& command) {
+// The latest results of a run that is watched, between runs.
+struct Watched {
+  std::optional<Results> latest;
+  bool keeps_answers = false;  // only case files have changed: what others gave is kept
+};
+
+// The run to go on with.
+std::variant<std::optional<MergePart>, ExitCode> kept_answers(const RunCommand& command,
+                                                              const Watched* watched) {
+  if (watched == nullptr || !watched->latest) return earlier_run(command);
+  std::optional<MergePart> latest;
+  if (watched->keeps_answers) latest = MergePart{"the latest run", *watched->latest};
+  return latest;
+}
+
+// One line, what has changed since the latest results, and the files.
+ExitCode deliver_changes(const Results& latest, const Results& results, const ReportFiles& files,
+                         const std::string& color, double seconds) {
+  std::cout << fmt::format("{}, {} unexpected, {:.1f} s\n",
+                           counted(results.cases.size(), "case", "cases"),
+                           count_unexpected(results), seconds);
+  const auto compared = compare_results(latest, results);
+  if (const auto* comparison = std::get_if<Comparison>(&compared)) {
+    if (differs(*comparison))
+      write_changes(*comparison, use_color(color, STDOUT_FILENO), std::cout);
+    else
+      std::cout << "nothing has changed\n";
+  }
+  return files.write(results) ? exit_code_of(results) : ExitCode::internal;
+}
+
+ExitCode run(const RunCommand& command, Watched* watched = nullptr) {
   const auto start = std::chrono::steady_clock::now();
   if (command.fail_on == "changes" && command.since.empty()) {
     print_error("--fail-on changes needs earlier results; name them with --since");
@@ -149,7 +188,7 @@ ExitCode run(const RunCommand& command) {
   if (!known) return ExitCode::usage;
   const auto profiles = load_profiles(selection, command.run.named());
   if (!profiles) return ExitCode::usage;
-  auto earlier = earlier_run(command);
+  auto earlier = kept_answers(command, watched);
   if (const auto* exit = std::get_if<ExitCode>(&earlier)) return *exit;
   JudgedRun judged{std::move(*known), command.max_failures,
                    !command.no_rerun, is_whole_suite(selection),
@@ -158,7 +197,7 @@ ExitCode run(const RunCommand& command) {
   if (!command.timings.empty()) judged.durations = &files.durations;
   // What was found is written although somebody asks to stop meanwhile.
   const InterruptGuard guard;
-  const auto results = run_judged(suite, *policy, *profiles, command.run, std::move(judged));
+  auto results = run_judged(suite, *policy, *profiles, command.run, std::move(judged));
   if (!results) return ExitCode::usage;
   if (!command.since.empty()) {
     ExitCode exit = ExitCode::as_expected;
@@ -166,10 +205,55 @@ ExitCode run(const RunCommand& command) {
     if (!files.since) return exit;
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  ExitCode delivered = deliver_results(*results, files, command.color, took.count());
+  ExitCode delivered =
+      watched != nullptr && watched->latest
+          ? deliver_changes(*watched->latest, *results, files, command.color, took.count())
+          : deliver_results(*results, files, command.color, took.count());
   if (!write_timings(command.timings, files.durations)) delivered = ExitCode::internal;
   const ExitCode exit = failing_on(command, *results, delivered, files.since);
   if (exit != ExitCode::internal) print_way_on(command, *results);
+  if (watched != nullptr) watched->latest = std::move(*results);
+  return exit;
+}
+
+// Runs, and runs again what a saved file touches, until somebody interrupts.
+ExitCode watch(const RunCommand& command) {
+  constexpr auto kPause = std::chrono::milliseconds(100);
+  const InterruptGuard guard;
+  Watched watched;
+  const Selection selection = command.selection.selection();
+  std::vector<std::filesystem::path> judging = {command.policy.policy};
+  judging.insert(judging.end(), command.known.begin(), command.known.end());
+  for (const char* folder : {kKnownFolder, "policies", "profiles"})
+    judging.push_back(suite_folder(selection) / folder);
+  const auto cases_now = [&] { return WrittenTimes(json_files(selection.paths)); };
+  const auto others_now = [&] {
+    auto files = json_files(judging);
+    for (auto& file : program_files(command.run.named(), command.run.project.folders))
+      files.push_back(std::move(file));
+    return WrittenTimes(files);
+  };
+  WrittenTimes cases = cases_now();
+  WrittenTimes others = others_now();
+  ExitCode exit = run(command, &watched);
+  std::fflush(stdout);  // for whoever reads a pipe
+  print_error("watching case files, policies and programs; Ctrl-C ends this");
+  while (!interrupted()) {
+    std::this_thread::sleep_for(kPause);
+    WrittenTimes new_cases = cases_now();
+    WrittenTimes new_others = others_now();
+    const auto saved = new_cases.since(cases);
+    const auto saved_others = new_others.since(others);
+    if (saved.empty() && saved_others.empty()) continue;
+    cases = std::move(new_cases);
+    others = std::move(new_others);
+    for (const auto* files : {&saved, &saved_others})
+      for (const auto& file : *files) std::cout << '\n' << one_line(file.string()) << " is saved\n";
+    watched.keeps_answers = saved_others.empty();
+    exit = run(command, &watched);
+    std::cout.flush();
+    std::fflush(stdout);
+  }
   return exit;
 }
 
@@ -213,10 +297,17 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
   command->add_flag(
       "--no-rerun", options->no_rerun,
       "Do not ask again after an unexpected answer; the second answer reveals flakes");
+  command
+      ->add_flag(
+          "--watch", options->watch,
+          "Stay, and when a case file, policy, known fault or program of exec: is saved, run "
+          "again what it touches, print what changed, and renew the reports")
+      ->excludes("--last-failed")
+      ->excludes("--resume");
   command->add_flag("--list", options->list, "Only list the ids of the selected cases");
   command->callback([options, command, &exit] {
     options->run.take_project(*command);
-    exit = run(*options);
+    exit = options->watch && !options->list ? watch(*options) : run(*options);
   });
 }
 

@@ -91,8 +91,9 @@ void remove_scripts(const std::filesystem::path& path, std::size_t count) {
 }  // namespace
 
 bool write_html_report(const Results& results, const std::optional<Comparison>& since,
-                       const std::string& path, bool all_details) {
-  const ReportTexts texts = texts_of(results, since);
+                       const Generations& generations, const std::string& path, bool all_details) {
+  ReportTexts texts = texts_of(results, since);
+  texts.generations = generations;
   if (path == "-") {
     write_html(results, texts, std::cout);
     return true;

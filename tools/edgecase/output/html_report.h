@@ -8,6 +8,7 @@
 #include <string>
 
 #include "results/comparison.h"
+#include "results/generations.h"
 #include "results/results.h"
 
 namespace edgecase {
@@ -16,6 +17,6 @@ namespace edgecase {
 // beside it. Removes scripts that only an earlier page of the same name needed. Prints an error and
 // returns false if a file cannot be written.
 bool write_html_report(const Results& results, const std::optional<Comparison>& since,
-                       const std::string& path, bool all_details);
+                       const Generations& generations, const std::string& path, bool all_details);
 
 }  // namespace edgecase

@@ -59,6 +59,13 @@ std::optional<Results> load_results(const std::string& path, ExitCode& exit, Cut
   return std::nullopt;
 }
 
+bool add_generation_of(const std::string& path, const Results& results, Generations& generations) {
+  const auto fault = add_generation(generations, results);
+  if (fault)
+    print_error(fmt::format("{}: {}; run `edgecase run` without a selection", path, *fault));
+  return !fault;
+}
+
 std::optional<Durations> load_durations(const std::vector<std::string>& paths, ExitCode& exit) {
   Durations all;
   for (const std::string& path : paths) {
@@ -182,7 +189,7 @@ bool ReportFiles::write(const Results& results) const {
   add(annotations, [&](std::ostream& out) { write_annotations(results, path_in_repository, out); });
   add(csv, [&](std::ostream& out) { write_disagreements_csv(results, out); });
   if (!html_path().empty())
-    wrote = write_html_report(results, since, html_path(), all_details) && wrote;
+    wrote = write_html_report(results, since, generations, html_path(), all_details) && wrote;
   return (triptychs.empty() || write_triptychs(results, triptychs)) && wrote;
 }
 

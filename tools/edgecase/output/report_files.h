@@ -12,6 +12,7 @@
 
 #include "results/comparison.h"
 #include "results/durations.h"
+#include "results/generations.h"
 #include "results/results_json.h"
 #include "tools/edgecase/exit_code.h"
 
@@ -21,6 +22,10 @@ namespace edgecase {
 // `exit` is then `internal` for a file that cannot be read, `usage` for one that holds no results.
 std::optional<Results> load_results(const std::string& path, ExitCode& exit,
                                     Cut cut = Cut::refused);
+
+// Adds the results of a file to the generations of drivers. Prints an error and returns false for
+// results that are not whole.
+bool add_generation_of(const std::string& path, const Results& results, Generations& generations);
 
 // What the files of `edgecase run --timings` hold, together. Nothing, with the error printed and
 // the exit code that it deserves, where one cannot be read.
@@ -51,6 +56,7 @@ struct ReportFiles {
   bool open = false;                // the HTML report, when it is written
   Durations durations;              // for JUnit XML and CTRF
   std::optional<Comparison> since;  // what the HTML report tells to have changed
+  Generations generations;          // known faults by release, for the HTML report
 
   // `json_names`: how the option for the results file is called.
   void add_to(CLI::App& command, const std::string& json_names = "--json");
