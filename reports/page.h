@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Templates of the report's page, a gallery's and the rule book's, made from reports/viewer by
-// embed_viewer.py.
+// embed_viewer.py, and of pages that draw, from reference/web.
 #pragma once
 
 #include <string_view>
@@ -24,5 +24,12 @@ extern const std::string_view kGalleryAfterBody;
 extern const std::string_view kBookBeforeTitle;
 extern const std::string_view kBookBeforeBody;
 extern const std::string_view kBookAfterBody;
+
+// The page that draws, with the same places as the report's; its data are JSON without '<', and it
+// has no blocks.
+extern const std::string_view kWebBeforeLoads;
+extern const std::string_view kWebBeforeData;
+extern const std::string_view kWebBeforeBlocks;
+extern const std::string_view kWebAfterBlocks;
 
 }  // namespace edgecase

@@ -32,7 +32,7 @@ std::string asked_as(const RendererInfo& info) {
 
 bool is_opengl(std::string_view address) {
   return address.starts_with("osmesa:") || address.starts_with("egl:") ||
-         address.starts_with("egl-es:");
+         address.starts_with("egl-es:") || address.starts_with("webgl:");
 }
 
 const std::string& known_as(const RendererInfo& info) {

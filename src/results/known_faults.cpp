@@ -381,10 +381,14 @@ bool accounts_for(const KnownFault& fault, const std::string& id, const std::str
 
 std::vector<const KnownFault*> faults_of(const KnownFaults& known, const RendererInfo& info) {
   const Release release = release_of(info);
+  // A browser tells its own release and keeps the driver's to itself: any may be below it.
+  const bool is_any_release = known_as(info).starts_with("webgl:");
+  const auto is_in_range = [&](const KnownFault& fault) {
+    return is_any_release || !fault.versions || holds(*fault.versions, release);
+  };
   std::vector<const KnownFault*> faults;
   for (const KnownFault& fault : known.faults)
-    if ((!fault.versions || holds(*fault.versions, release)) && is_of(fault, known_as(info)))
-      faults.push_back(&fault);
+    if (is_in_range(fault) && is_of(fault, known_as(info))) faults.push_back(&fault);
   return faults;
 }
 

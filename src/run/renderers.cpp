@@ -25,6 +25,7 @@ constexpr std::string_view kExecPrefix = "exec:";
 constexpr std::string_view kOsmesaPrefix = "osmesa:";
 constexpr std::string_view kEglPrefix = "egl:";
 constexpr std::string_view kEsPrefix = "egl-es:";
+constexpr std::string_view kWebPrefix = "webgl:";
 constexpr std::string_view kDevice = "device";
 constexpr std::string_view kNamedDevice = "device=";
 constexpr std::string_view kLibrary = "lib=";
@@ -59,6 +60,12 @@ Command mesa_command(const std::string& worker, FrontEnd front_end, const std::s
            "--expect-driver", driver},
           mesa_environment(driver, front_end),
           kDriverVariables};
+}
+
+// A browser, which draws with SwiftShader of its own or with Mesa's llvmpipe.
+Command webgl_command(const std::string& worker, const std::string& browser) {
+  if (browser == "chromium") return {{worker, browser}, {}, kDriverVariables};
+  return {{worker, browser}, mesa_environment("llvmpipe", FrontEnd::egl), kDriverVariables};
 }
 
 // Where Debian's packages describe Vulkan drivers to the loader.
@@ -197,7 +204,8 @@ std::string suggestion_for(const std::string& name) {
     return fmt::format("did you mean {}{}? ",
                        name.ends_with(".rec") ? kRecordingPrefix : kExecPrefix, name);
   std::vector<std::string> known = {"exact"};
-  for (const auto* names : {&opengl_renderer_names(), &opengl_es_renderer_names()})
+  for (const auto* names :
+       {&opengl_renderer_names(), &opengl_es_renderer_names(), &webgl_renderer_names()})
     known.insert(known.end(), names->begin(), names->end());
   const std::string driver = ":" + name.substr(name.rfind(':') + 1);
   const auto nearest = nearest_name(name, known);
@@ -222,12 +230,19 @@ const std::vector<std::string>& opengl_es_renderer_names() {
   return names;
 }
 
+const std::vector<std::string>& webgl_renderer_names() {
+  static const std::vector<std::string> names = {"webgl:chromium", "webgl:chromium-gl",
+                                                 "webgl:firefox"};
+  return names;
+}
+
 std::string known_renderer_names() {
   return "exact, egl:llvmpipe, egl:softpipe, egl:zink, egl:zink-swiftshader, egl:deviceN, "
          "egl:device=NAME, egl:lib=PATH, "
          "egl-es:llvmpipe, egl-es:softpipe, egl-es:zink, egl-es:deviceN, egl-es:device=NAME, "
          "egl-es:lib=PATH, osmesa:llvmpipe, "
-         "osmesa:softpipe, exec:PROGRAM, recording:FILE";
+         "osmesa:softpipe, webgl:chromium, webgl:chromium-gl, webgl:firefox, exec:PROGRAM, "
+         "recording:FILE";
 }
 
 NamedRenderer split_name(const std::string& renderer) {
@@ -262,6 +277,11 @@ std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& rend
     if (!command) continue;
     spec.command = std::move(*command);
     spec.takes_messages = true;
+    return spec;
+  }
+  if (std::ranges::find(webgl_renderer_names(), name) != webgl_renderer_names().end()) {
+    const auto program = std::filesystem::path(program_directory) / "edgecase-webgl";
+    spec.command = webgl_command(program.string(), name.substr(kWebPrefix.size()));
     return spec;
   }
   const std::string suggestion = suggestion_for(name);

@@ -23,15 +23,17 @@ namespace edgecase {
 //   egl:deviceN egl:device=NAME egl:lib=PATH exec:PROGRAM
 //
 // and of OpenGL ES egl-es:llvmpipe egl-es:softpipe egl-es:zink egl-es:deviceN egl-es:device=NAME
-// egl-es:lib=PATH. Paths count from the folder of the project that names the renderer, or from
-// here.
+// egl-es:lib=PATH, and of WebGL 2 in browsers webgl:chromium webgl:chromium-gl webgl:firefox. Paths
+// count from the folder of the project that names the renderer, or from here.
 //
 // The OpenGL ones are one program, edgecase-gl, with different arguments and environments: Mesa
-// chooses its driver by environment variables that it reads once per process.
+// chooses its driver by environment variables that it reads once per process. Those of WebGL are
+// another program, edgecase-webgl, which starts the browser.
 
 // The renderers of OpenGL core, and those of OpenGL ES; of devices, the first.
 const std::vector<std::string>& opengl_renderer_names();
 const std::vector<std::string>& opengl_es_renderer_names();
+const std::vector<std::string>& webgl_renderer_names();
 
 // Names for messages: all that the command line knows, patterns included.
 std::string known_renderer_names();
@@ -49,8 +51,8 @@ struct UnknownRenderer {
   std::string message;
 };
 
-// How to start the renderer of this name. `program_directory` holds the worker program edgecase-gl:
-// worker_directory(). The first scene shows whether the renderer works.
+// How to start the renderer of this name. `program_directory` holds the worker programs edgecase-gl
+// and edgecase-webgl: worker_directory(). The first scene shows whether the renderer works.
 //
 // exec:PROGRAM is the path of an existing file, or else a command line: words separated by spaces,
 // with single or double quotes around words that contain some. The first word is a path (a file in

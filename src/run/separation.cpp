@@ -2,12 +2,15 @@
 #include "run/separation.h"
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 #include "model/policy.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "rules/choices.h"
+#include "wire/answer_line.h"
+#include "wire/request_line.h"
 
 namespace edgecase {
 namespace {
@@ -18,6 +21,11 @@ struct Drawn {
   std::vector<double> depths;           // of samples, where a draw does without GL_MULTISAMPLE
   friend bool operator==(const Drawn&, const Drawn&) = default;
 };
+
+// All that exact answers, as a number.
+std::string answer_under(const Scene& scene, const ResolvedPolicy& policy) {
+  return digest_of(answer_line("", rasterize(scene, policy), nullptr));
+}
 
 bool is_switched_off(const Scene& scene) {
   return scene.target.samples > 1 && std::ranges::any_of(scene.draws, [](const Draw& draw) {
@@ -46,10 +54,16 @@ std::vector<ResolvedPolicy> policies_of(RuleId rule) {
   return policies;
 }
 
-void count_case(const Scene& scene, const std::vector<ResolvedPolicy>& policies,
-                SeparationMatrix& matrix) {
+std::vector<Drawn> drawn_under_each(const Scene& scene,
+                                    const std::vector<ResolvedPolicy>& policies) {
   std::vector<Drawn> drawn;
   for (const ResolvedPolicy& policy : policies) drawn.push_back(drawn_under(scene, policy));
+  return drawn;
+}
+
+void count_case(const Scene& scene, const std::vector<ResolvedPolicy>& policies,
+                SeparationMatrix& matrix) {
+  const std::vector<Drawn> drawn = drawn_under_each(scene, policies);
   for (std::size_t i = 0; i < drawn.size(); ++i)
     for (std::size_t j = 0; j < drawn.size(); ++j)
       if (drawn[i] != drawn[j]) ++matrix.cases[i][j];
@@ -102,6 +116,38 @@ Separation measure_separation(const CaseStore& cases) {
       count_case(one.scene, policies[i], result.matrices[i]);
   }
   return result;
+}
+
+namespace {
+
+template <class Outcome>
+void add_pairs(RuleId rule, const std::vector<Outcome>& outcomes,
+               std::vector<AlternativePair>& pairs) {
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (outcomes[i] != outcomes[j]) pairs.push_back({rule, i, j});
+}
+
+}  // namespace
+
+std::vector<AlternativePair> pairs_told_apart(const Case& one) {
+  static const std::map<RuleId, std::vector<ResolvedPolicy>> policies = [] {
+    std::map<RuleId, std::vector<ResolvedPolicy>> made;
+    for (const Rule& rule : all_rules())
+      if (!rule.alternatives.empty()) made.emplace(rule.id, policies_of(rule.id));
+    return made;
+  }();
+  std::vector<AlternativePair> pairs;
+  for (const auto& [rule, under] : policies) {
+    if (rule_of(rule).say.in_coverage != nullptr) {
+      add_pairs(rule, drawn_under_each(one.scene, under), pairs);
+    } else if (std::ranges::find(one.rules, name_of(rule)) != one.rules.end()) {
+      std::vector<std::string> answers;
+      for (const ResolvedPolicy& policy : under) answers.push_back(answer_under(one.scene, policy));
+      add_pairs(rule, answers, pairs);
+    }
+  }
+  return pairs;
 }
 
 }  // namespace edgecase

@@ -10,10 +10,12 @@
 // `open` and `closed` boundaries cover differently.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <string>
 #include <vector>
 
+#include "model/rule_id.h"
 #include "run/case_store.h"
 
 namespace edgecase {
@@ -36,5 +38,17 @@ struct Separation {
 
 // Beside the rule in question, policy `opengl` holds.
 Separation measure_separation(const CaseStore& cases);
+
+// Two alternatives of a rule by their places in its list, the later one first.
+struct AlternativePair {
+  RuleId rule = RuleId::none;
+  std::size_t later = 0;
+  std::size_t earlier = 0;
+  friend auto operator<=>(const AlternativePair&, const AlternativePair&) = default;
+};
+
+// The pairs that a case tells apart: of the rules of coverage as above, and of other rules that the
+// case names, by anything that exact answers.
+std::vector<AlternativePair> pairs_told_apart(const Case& one);
 
 }  // namespace edgecase

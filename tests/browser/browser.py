@@ -18,9 +18,9 @@ PATIENCE = 30  # seconds
 class Browser:
     """One window; every request that pages make is noted."""
 
-    def __init__(self, downloads, width=1280, height=800):
+    def __init__(self, downloads, width=1280, height=800, gpu=("--disable-gpu",)):
         options = webdriver.ChromeOptions()
-        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
+        for argument in ("--headless=new", "--no-sandbox", "--hide-scrollbars", *gpu,
                          "--disable-background-networking", "--force-device-scale-factor=1"):
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"performance": "ALL", "browser": "ALL"})

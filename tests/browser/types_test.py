@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The viewer's scripts hold what their types say: TypeScript finds nothing in them, and does find a
-fault where there is one."""
+"""The scripts of our pages hold what their types say: TypeScript finds nothing in them, and does find
+a fault where there is one."""
 import pathlib
 import shutil
 import subprocess
@@ -10,6 +10,7 @@ import unittest
 HERE = pathlib.Path(__file__).resolve().parent
 TSC = HERE / "node_modules" / "typescript" / "bin" / "tsc"
 VIEWER = HERE.parent.parent / "reports" / "viewer"
+DRAWING = HERE.parent.parent / "reference" / "web"
 
 
 def faults(folder):
@@ -21,6 +22,9 @@ def faults(folder):
 class Types(unittest.TestCase):
     def test_the_viewer_has_no_fault(self):
         self.assertEqual(faults(VIEWER), "")
+
+    def test_the_page_that_draws_has_no_fault(self):
+        self.assertEqual(faults(DRAWING), "")
 
     def test_a_fault_is_found(self):
         with tempfile.TemporaryDirectory(prefix="edgecase-types-") as name:

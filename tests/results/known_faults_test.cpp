@@ -212,5 +212,16 @@ TEST(KnownFaults, BelongToReleasesAndRenderers) {
   EXPECT_EQ(faults_of(known, info).size(), 1u) << "one is of EGL alone";
 }
 
+TEST(KnownFaults, ABrowserDoesNotTellTheReleaseOfTheDriverBelowIt) {
+  const KnownFaults known = read(kFile);
+  RendererInfo info;
+  info.name = "webgl:chromium-gl";
+  info.device = "ANGLE (Mesa/X.org, llvmpipe (LLVM 15.0.6 256 bits), OpenGL ES 3.2)";
+  info.version = "OpenGL ES 3.0 (WebGL 2.0) Chromium 156.0.0.0";
+  EXPECT_EQ(driver_of(info), "llvmpipe");
+  EXPECT_EQ(text_of(release_of(info)), "Chromium 156.0.0.0 ES");
+  EXPECT_EQ(faults_of(known, info).size(), 2u) << "those of any release, but for EGL's own";
+}
+
 }  // namespace
 }  // namespace edgecase

@@ -61,6 +61,18 @@ TEST(RendererNames, OpenGlEsIsAnotherContextOfTheSameDriver) {
   EXPECT_THAT(message_of("egl-es:zink-swiftshader"), HasSubstr("there is no renderer"));
 }
 
+TEST(RendererNames, BrowsersHaveAWorkerOfTheirOwn) {
+  const Command own = command_of("webgl:chromium");
+  EXPECT_THAT(own.argv, ElementsAre("/opt/bin/edgecase-webgl", "chromium"));
+  EXPECT_TRUE(own.environment.empty());
+  const Command mesa = command_of("webgl:chromium-gl");
+  EXPECT_THAT(mesa.argv, ElementsAre("/opt/bin/edgecase-webgl", "chromium-gl"));
+  EXPECT_EQ(mesa.environment.at("GALLIUM_DRIVER"), "llvmpipe");
+  for (const std::string& name : webgl_renderer_names()) command_of(name);
+  EXPECT_THAT(message_of("webgl:safari"), HasSubstr("there is no renderer"));
+  EXPECT_TRUE(is_opengl("webgl:chromium")) << "a driver has its faults in a browser, too";
+}
+
 TEST(RendererNames, ADeviceOrALibraryIsTheUsersOwn) {
   EXPECT_THAT(command_of("egl:device=NVIDIA H100").argv,
               ElementsAre("/opt/bin/edgecase-gl", "egl-device:NVIDIA H100"));

@@ -11,6 +11,7 @@ from support import (PROBES, ROOT, SUITE, UNEXPECTED, USAGE, CommandTest, only_r
                      triangle_case, verdicts)
 
 POLICIES = sorted(path.stem for path in (ROOT / "cases/policies").glob("*.json"))
+CORE = ROOT / "cases/core.txt"
 ALL_DIFFER = f"{SUITE}/lines/algorithms/all-differ.json"
 
 
@@ -184,6 +185,32 @@ class Alternatives(CommandTest):
     def test_too_few_cases_are_said_to_be(self):
         out = self.command("separation", ALL_DIFFER, "--least", 1, expect=UNEXPECTED).stdout
         self.assertIn("bresenham and bresenham-toward-zero: 0 cases", out)
+
+    def test_the_core_tells_apart_whatever_the_suite_does(self):
+        """The list's head says how much that is; the core, on its own, must reach as much."""
+        head = CORE.read_text(encoding="utf-8").splitlines()[1]
+        self.command("separation", SUITE, "--suite", "core", "--least", 3)
+        out = self.command("separation", SUITE, "--suite", "core", "--cover").stdout
+        pairs, rules = re.match(r"# ([\d,]+) pairs of alternatives, the rulings of (\d+) rules",
+                                head).groups()
+        self.assertGreaterEqual(int(pairs.replace(",", "")), 1800)
+        self.assertIn(f"tell apart the {pairs} pairs of alternatives that all tell apart, and touch "
+                      f"the rulings of {rules} rules", out)
+
+    def test_a_core_without_one_of_its_cases_is_too_small(self):
+        out = self.command("separation", SUITE, "--suite", "core", "--exclude", "lines/*", "--least", 1,
+                           expect=UNEXPECTED).stdout
+        self.assertIn("bresenham and bresenham-toward-zero: 0 cases", out)
+
+    def test_every_case_of_the_core_is_there(self):
+        listed = [line for line in CORE.read_text(encoding="utf-8").splitlines()
+                  if not line.startswith("#")]
+        self.assertEqual(self.command("run", SUITE, "--suite", "core", "--list").stdout.splitlines(), listed)
+
+    def test_a_suite_without_a_list_is_told(self):
+        self.write("cases/one.json", triangle_case())
+        run = self.command("run", "cases", "--suite", "core", expect=USAGE)
+        self.assertIn("lists no case", run.stderr)
 
     def test_the_picture_in_the_documents_is_what_the_program_draws(self):
         drawn = self.folder / "drawn.svg"

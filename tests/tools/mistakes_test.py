@@ -12,7 +12,7 @@ KNOWN = ("exact, egl:llvmpipe, egl:softpipe, egl:zink, egl:zink-swiftshader, egl
          "egl:device=NAME, egl:lib=PATH, "
          "egl-es:llvmpipe, egl-es:softpipe, egl-es:zink, egl-es:deviceN, egl-es:device=NAME, "
          "egl-es:lib=PATH, osmesa:llvmpipe, "
-         "osmesa:softpipe, exec:PROGRAM, recording:FILE")
+         "osmesa:softpipe, webgl:chromium, webgl:chromium-gl, webgl:firefox, exec:PROGRAM, recording:FILE")
 EXACT = ("--against", "exact")
 
 # The command line, the exit code, and all that stands on standard error, "edgecase: " left out

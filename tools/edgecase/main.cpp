@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
   edgecase::add_generations_command(app, exit);
   edgecase::add_merge_command(app, exit);
   edgecase::add_record_command(app, exit);
+  edgecase::add_web_command(app, exit);
   edgecase::add_render_command(app, exit);
   edgecase::add_explain_command(app, exit);
   edgecase::add_draw_command(app, exit);

@@ -146,6 +146,20 @@ std::optional<std::filesystem::path> find_policy(const std::string& policy,
   return std::nullopt;
 }
 
+// The ids that a suite's list names.
+NamedCases core_of(const Selection& selection) {
+  const auto file = suite_file(selection, kCoreList);
+  std::ifstream in(file);
+  NamedCases named;
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty() && line.front() != '#') named.ids.insert(line);
+  if (named.ids.empty())
+    throw CLI::ValidationError(
+        "--suite", fmt::format("{} lists no case; `edgecase separation --cover -o {}` makes it",
+                               file.string(), file.string()));
+  return named;
+}
+
 }  // namespace
 
 Selection select_cases(const std::vector<std::string>& words) {
@@ -170,6 +184,10 @@ void SelectionOptions::add_to(CLI::App& command, bool with_shard) {
   command.add_option("paths", paths,
                      "Case files and folders, ids of cases, globs of ids (default: the folder "
                      "cases, or the installed suite)");
+  command
+      .add_option("--suite", suite,
+                  "core: only the few cases that tell apart whatever the whole suite tells apart")
+      ->check(CLI::IsMember({"core"}));
   add_repeatable(command, "--filter", filters,
                  "Only cases whose id matches this shell glob; repeatable");
   add_repeatable(command, "--exclude", excludes,
@@ -187,6 +205,7 @@ Selection SelectionOptions::selection() const {
   result.filters = filters;
   result.excludes = excludes;
   result.tags = tags;
+  if (!suite.empty()) result.only = core_of(result);
   if (obeys_variables) {
     touch_status_file();
     result.shard = shard.empty() ? shard_of_environment() : shard_of_option(shard);

@@ -30,9 +30,10 @@ Selection select_cases(const std::vector<std::string>& words);
 // "there is no rule "line.snab"; did you mean "line.snap"? `edgecase rules` prints all".
 void print_no_rule(const std::string& id);
 
-// The options that select cases: PATH…, --filter, --exclude, --tag, --shard.
+// The options that select cases: PATH…, --suite, --filter, --exclude, --tag, --shard.
 struct SelectionOptions {
   std::vector<std::string> paths;
+  std::string suite;  // "core": the cases that the suite's file core.txt lists; empty: all
   std::vector<std::string> filters;
   std::vector<std::string> excludes;
   std::vector<std::string> tags;
@@ -40,9 +41,10 @@ struct SelectionOptions {
   bool obeys_variables = false;  // set by add_to
 
   void add_to(CLI::App& command, bool with_shard);
-  // The selection; without a path, `cases`. Throws CLI::ValidationError for a bad --shard and, if
-  // it is an option and not given, for bad variables of CI systems. If variables select a shard,
-  // prints so to standard error, and touches the file that Bazel requires.
+  // The selection; without a path, `cases`. Throws CLI::ValidationError for a --suite without a
+  // list, a bad --shard and, if that is an option and not given, for bad variables of CI systems.
+  // If variables select a shard, prints so to standard error, and touches the file that Bazel
+  // requires.
   Selection selection() const;
 };
 
@@ -65,6 +67,9 @@ struct PolicyOptions {
 // faulty file.
 std::optional<Profiles> load_profiles(const Selection& selection,
                                       const std::vector<std::string>& renderers);
+
+// The list of the core's cases in the suite's folder: an id a line, and lines that begin with '#'.
+constexpr const char* kCoreList = "core.txt";
 
 // The folder of known faults, below the suite's.
 constexpr const char* kKnownFolder = "known";

@@ -164,12 +164,14 @@ ExitCode print_probes(std::vector<ProcessSpec>& specs, const Examinations& exami
   return enough ? ExitCode::as_expected : ExitCode::renderer;
 }
 
-// All drivers by name, of OpenGL and of OpenGL ES, and every device that EGL lists. The first
+// All drivers by name, of OpenGL, OpenGL ES and WebGL, and every device that EGL lists. The first
 // device is included even if EGL lists none, so that the reason is shown.
 std::vector<std::string> default_names() {
   std::vector<std::string> names = opengl_renderer_names();
   const auto& es = opengl_es_renderer_names();
+  const auto& web = webgl_renderer_names();
   names.insert(names.end(), es.begin(), es.end());
+  names.insert(names.end(), web.begin(), web.end());
   const int devices = listed_egl_devices(worker_directory());
   for (int device = 1; device < devices; ++device)
     for (const char* front_end : {"egl", "egl-es"})

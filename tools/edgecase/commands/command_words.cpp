@@ -14,7 +14,8 @@ constexpr int kMany = CLI::detail::expected_max_vector_size;
 
 std::vector<std::string> renderer_names() {
   std::vector<std::string> names = {"exact"};
-  for (const auto* known : {&opengl_renderer_names(), &opengl_es_renderer_names()})
+  for (const auto* known :
+       {&opengl_renderer_names(), &opengl_es_renderer_names(), &webgl_renderer_names()})
     names.insert(names.end(), known->begin(), known->end());
   return names;
 }

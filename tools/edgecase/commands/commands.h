@@ -28,6 +28,7 @@ void add_gallery_command(CLI::App& app, ExitCode& exit);
 void add_fuzz_command(CLI::App& app, ExitCode& exit);
 void add_minimize_command(CLI::App& app, ExitCode& exit);
 void add_record_command(CLI::App& app, ExitCode& exit);
+void add_web_command(CLI::App& app, ExitCode& exit);
 void add_bench_command(CLI::App& app, ExitCode& exit);
 void add_manual_command(CLI::App& app, ExitCode& exit);
 void add_help_command(CLI::App& app, ExitCode& exit);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// edgecase separation: the number of cases that distinguish each pair of a rule's alternatives.
+// edgecase separation: the number of cases that distinguish each pair of a rule's alternatives, and
+// the shortest list of cases that distinguishes them all.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
 
 #include "model/text.h"
+#include "run/core_suite.h"
 #include "run/separation.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/options.h"
@@ -20,7 +23,18 @@ struct SeparationCommand {
   SelectionOptions selection;
   std::size_t least = 0;
   bool full = false;
+  bool cover = false;
+  std::string list;  // file of the cover's ids
 };
+
+// The first lines of the list; the second is what a test finds in the core, too.
+std::string head_of_list(const CoreSuite& core, const SeparationCommand& command) {
+  return fmt::format(
+      "# The core of the suite. Renewed by `edgecase separation --cover --least {} -o "
+      "cases/core.txt`.\n# {} of alternatives, the rulings of {}.\n",
+      std::max<std::size_t>(command.least, 1), counted(core.pairs, "pair", "pairs"),
+      counted(core.rules, "rule", "rules"));
+}
 
 void print_matrix(const SeparationMatrix& matrix) {
   std::size_t width = 4;
@@ -47,11 +61,30 @@ std::size_t print_weak_pairs(const SeparationMatrix& matrix, std::size_t least) 
   return weak;
 }
 
+ExitCode print_cover(const SeparationCommand& command, const Suite& suite) {
+  const CoreSuite core = find_core(suite.cases, std::max<std::size_t>(command.least, 1));
+  fmt::print(
+      "{} of {} tell apart the {} of alternatives that all tell apart, and touch the rulings of "
+      "{}; no list has fewer than {}\n",
+      core.ids.size(), counted(suite.cases.size(), "case", "cases"),
+      counted(core.pairs, "pair", "pairs"), counted(core.rules, "rule", "rules"), core.fewest);
+  for (const std::string& rule : core.unnamed) fmt::print("  no case names {}\n", rule);
+  if (command.list.empty()) {
+    fmt::print("{}\n", fmt::join(core.ids, "\n"));
+    return ExitCode::as_expected;
+  }
+  return write_file(command.list,
+                    fmt::format("{}{}\n", head_of_list(core, command), fmt::join(core.ids, "\n")))
+             ? ExitCode::as_expected
+             : ExitCode::internal;
+}
+
 ExitCode separate(const SeparationCommand& command) {
   const Suite suite = load_suite(command.selection.selection());
   print_diagnostics(suite.diagnostics);
   if (!suite.diagnostics.empty()) return ExitCode::usage;
   if (suite.cases.empty()) return ExitCode::nothing_selected;
+  if (command.cover) return print_cover(command, suite);
   const Separation separation = measure_separation(suite.cases);
   fmt::print(
       "{}, {} of them ({:.1f} %) with a tie\n", counted(separation.cases, "case", "cases"),
@@ -78,6 +111,11 @@ void add_separation_command(CLI::App& app, ExitCode& exit) {
   command->add_option(
       "--least", options->least,
       "List the pairs that fewer cases tell apart, and exit with 1 if there are any");
+  CLI::Option* cover = command->add_flag(
+      "--cover", options->cover,
+      "Find the shortest list of cases that tells apart every pair that all cases tell apart, "
+      "each by --least cases, and touches every ruling");
+  command->add_option("-o,--output", options->list, "File for that list")->needs(cover);
   command->callback([options, &exit] { exit = separate(*options); });
 }
 

@@ -73,6 +73,15 @@ constexpr HelpPage kPages[] = {
      "012345", kInterrupted,
      "edgecase record --against egl:device0 -o card.rec\n"
      "edgecase record lines --against egl:softpipe -o lines.rec"},
+    {"web", kRun,
+     "The page is one file, and needs no network. It draws with WebGL 2, shows how it goes, and "
+     "saves a recording, which any command takes as recording:FILE. Without a selection it has the "
+     "cases of --suite core.",
+     "0235", nullptr,
+     "edgecase web -o page.html\n"
+     "edgecase web lines triangles -o page.html\n"
+     "edgecase web --live triangles/shared-edges/hole-where-x-is-a-third -o case.html\n"
+     "edgecase run --suite core --against recording:webgl-chromium.rec"},
     {"render", kRun,
      "Each case gives its pixels and every fragment, or a picture. Nothing is compared or judged.",
      "012345", kInterrupted,
@@ -132,6 +141,7 @@ constexpr HelpPage kPages[] = {
      "case tells apart is a hole in the suite.",
      "01235", "fewer cases than --least tell some pair apart",
      "edgecase separation --least 10\n"
+     "edgecase separation --cover --least 3 -o cases/core.txt\n"
      "edgecase separation lines --full"},
     {"fuzz", kSearch,
      "Renderers draw scenes that the seed determines, and mutations of the scenes of --corpus. "

@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: MIT
+"""The page that draws with the browser's own GPU, here SwiftShader's: its recording is judged as any
+renderer's, lies are found out, and a device that fails says so."""
+import base64
+import json
+import os
+import pathlib
+import sys
+import tempfile
+import time
+import unittest
+
+TESTS = pathlib.Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(TESTS / "tools"), str(TESTS / "support")]
+
+from browser import Browser  # noqa: E402
+from share import IS_QUICK, in_full_tier  # noqa: E402
+from support import SUITE, UNEXPECTED, CommandTest, verdicts  # noqa: E402
+
+RENDERER_FAILED = 4
+PATIENCE = 20  # seconds
+SOFTWARE = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+CORE = [SUITE, "--suite", "core", "--shard", "1/32" if IS_QUICK else "1/2"]
+FEW = [f"{SUITE}/triangles/shared-edges", "--filter", "triangles/shared-edges/h*"]
+# Of a page that was just opened, before it draws.
+SPOILT_SHADER = """(() => {
+  const whole = WebGL2RenderingContext.prototype.shaderSource;
+  WebGL2RenderingContext.prototype.shaderSource = function (shader, source) {
+    return whole.call(this, shader, source.replace(FROM, TO));
+  };
+})()"""
+LIES = {
+    "a constant image": "answer.pixels.fill(255); answer.fragments = []; answer.hits.fill(0);",
+    "another case's answer": "const mine = answer; answer = before || mine; before = mine;",
+    "right fragments on a wrong picture": "answer.pixels[0] ^= 0x80;",
+    "a fragment too many": "answer.fragments.push({...answer.fragments[0], x: 0, y: 0}); ++answer.hits[0];",
+}
+
+
+class Page(CommandTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.downloads = tempfile.TemporaryDirectory(prefix="edgecase-downloads-")
+        cls.browser = Browser(cls.downloads.name, width=390, height=844, gpu=SOFTWARE)
+        cls.browser.driver.set_script_timeout(300)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.downloads.cleanup()
+
+    def page_of(self, *selection):
+        page = self.folder / "page.html"
+        self.command("web", *selection, "-o", page)
+        return page
+
+    def open(self, page, script=""):
+        """Opens a page; the script runs before any of its own."""
+        if script:
+            added = self.browser.cdp("Page.addScriptToEvaluateOnNewDocument", source=script)
+        self.browser.open(page)
+        if script:
+            self.browser.cdp("Page.removeScriptToEvaluateOnNewDocument",
+                             identifier=added["identifier"])
+
+    def draw(self, before=""):
+        """All that the page has; returns the recording."""
+        text = self.browser.driver.execute_async_script(
+            before + """
+            const done = arguments[0];
+            (async () => {
+              await page.run();
+              const bytes = await page.recording();
+              return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+            })().then(done, (fault) => done("!" + fault.stack));""")
+        self.assertFalse(text.startswith("!"), text)
+        path = self.folder / "page.rec"
+        path.write_bytes(base64.b64decode(text))
+        return f"recording:{path}"
+
+    def counts(self):
+        return self.browser.ask("page.counts")
+
+    def state(self):
+        return self.browser.ask("document.body.dataset.state")
+
+    def test_a_recording_is_judged_as_any_renderer_is(self):
+        self.browser.requests()
+        page = self.page_of(*CORE)
+        self.assertLess(page.stat().st_size, 2_000_000)
+        self.open(page)
+        results = self.results(*CORE, "--against", self.draw(), expect=None)
+        self.assertEqual(self.state(), "done")
+        [renderer] = results["renderers"]
+        self.assertIn("SwiftShader", renderer["device"])
+        self.assertIn("Chromium", renderer["traits"]["browser"])
+        self.assertEqual(renderer["traits"]["recorded"], "webgl:chromium")
+        found = list(verdicts(results).values())
+        self.assertEqual(found.count("violation"), 0, verdicts(results))
+        self.assertEqual(found.count("not-run"), self.counts()["not supported"])
+        self.assertGreater(self.counts()["drawn"], len(found) / 2)
+        self.assertLessEqual({url.split(":")[0] for url in self.browser.requests()},
+                             {"about", "file"})
+
+    @in_full_tier
+    def test_it_is_usable_by_thumb(self):
+        self.open(self.page_of(*FEW))
+        self.assertEqual(self.browser.ask("document.documentElement.scrollWidth"), 390)
+        box = self.browser.ask("document.getElementById('start').getBoundingClientRect().toJSON()")
+        self.assertGreaterEqual(box["height"], 44)
+        self.assertGreaterEqual(box["width"], 300)
+        self.assertGreater(box["top"], 700)
+        self.draw()
+        self.assertEqual(self.browser.ask("document.documentElement.scrollWidth"), 390)
+
+    def test_a_lost_context_costs_one_case(self):
+        self.open(self.page_of(*FEW))
+        drawn = self.draw(
+            "page.device.renderer.gl.getExtension('WEBGL_lose_context').loseContext();")
+        self.assertEqual(self.state(), "done")
+        self.assertEqual(self.counts()["lost contexts"], 1)
+        run = self.command("run", *FEW, "--against", drawn, expect=RENDERER_FAILED)
+        self.assertIn("the WebGL context was lost while this scene was drawn", run.stdout)
+
+    def test_without_webgl_it_says_so(self):
+        self.open(self.page_of(*FEW), "HTMLCanvasElement.prototype.getContext = () => null;")
+        self.assertEqual(self.state(), "failed")
+        self.assertIn("no WebGL 2", self.browser.ask("document.getElementById('word').textContent"))
+
+    @in_full_tier
+    def test_without_float_targets_the_rest_is_drawn(self):
+        self.open(self.page_of(f"{SUITE}/samples/supersampling", *FEW[:1], "--shard", "1/40"), """
+          const whole = WebGL2RenderingContext.prototype.getExtension;
+          WebGL2RenderingContext.prototype.getExtension = function (name) {
+            return name.includes("float") ? null : whole.call(this, name);
+          };""")
+        self.draw()
+        reasons = self.browser.ask("[...page.reasons.keys()]")
+        self.assertTrue(any("EXT_color_buffer_float" in reason for reason in reasons), reasons)
+        self.assertGreater(self.counts()["drawn"], 0)
+
+    def test_one_case_beside_exact(self):
+        page = self.folder / "case.html"
+        self.command("web", "--live", f"{SUITE}/triangles/shared-edges/hole-where-x-is-a-third.json",
+                     "-o", page)
+        self.open(page)
+        self.assertEqual(self.state(), "done")
+        width = self.browser.ask("page.panes[0].canvas.width")
+        self.browser.ask("document.querySelector('#zoom button:last-child').click()")
+        self.assertGreater(self.browser.ask("page.panes[0].canvas.width"), width)
+        self.browser.ask("page.choose([6, 6])")
+        self.assertIn("primitive", self.browser.ask("document.getElementById('counts').textContent"))
+
+    def test_each_lie_is_found_out(self):
+        page = self.page_of(*FEW)
+        for name, lie in LIES.items():
+            with self.subTest(lie=name):
+                self.open(page)
+                drawn = self.draw(f"""
+                  const whole = SceneRenderer.prototype.outcomeOf;
+                  let before = null;
+                  SceneRenderer.prototype.outcomeOf = function (scene) {{
+                    let answer = whole.call(this, scene);
+                    if (answer.not_run === undefined) {{ {lie} }}
+                    return answer;
+                  }};""")
+                results = self.results(*FEW, "--against", drawn, expect=None)
+                agreeing = [one for one, verdict in verdicts(results).items()
+                            if verdict not in ("violation", "not-run")]
+                self.assertLessEqual(len(agreeing), 1 if "another" in name else 0, agreeing)
+
+    @in_full_tier
+    def test_an_altered_shader_is_convicted(self):
+        page = self.page_of(*FEW)
+        for place, alteration in {
+                "gl_Position = position;": "gl_Position = position + vec4(0.5, 0.0, 0.0, 0.0);",
+                "target = LOOKUP;": "target = LOOKUP * 0.5;"}.items():
+            with self.subTest(alteration=alteration):
+                self.open(page, SPOILT_SHADER.replace("FROM", json.dumps(place))
+                          .replace("TO", json.dumps(alteration)))
+                results = self.results(*FEW, "--against", self.draw(), expect=UNEXPECTED)
+                self.assertIn("violation", verdicts(results).values())
+
+
+class Live(CommandTest):
+    def test_a_browser_is_a_renderer_and_leaves_nothing(self):
+        home = self.folder / "tmp"
+        home.mkdir()
+        run = self.command("run", *FEW, "--against", "webgl:chromium", "--jobs", "1",
+                           TMPDIR=str(home))
+        self.assertIn("webgl:chromium", run.stdout)
+        self.assertNotIn("not-run", run.stdout)
+        until = time.monotonic() + PATIENCE
+        while os.listdir(home) and time.monotonic() < until:
+            time.sleep(0.05)
+        self.assertEqual(os.listdir(home), [])
+
+    def test_a_missing_browser_is_named(self):
+        path = self.write("bin/edgecase-nothing", "")
+        run = self.command("run", *FEW, "--against", "webgl:firefox", expect=RENDERER_FAILED,
+                           PATH=str(path.parent))
+        self.assertIn("there is no firefox in PATH", run.stdout + run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
