@@ -178,9 +178,8 @@ std::string WordCapture::doubt_of_hits(const std::vector<std::uint32_t>& hits) c
   if (found.first == hits.end()) return "";
   const auto index = static_cast<std::size_t>(found.first - hits.begin());
   return fmt::format(
-      "pixel {} has {} hits, and {} fragments: without storage blocks a primitive's second "
-      "fragment "
-      "of a pixel is not told",
+      "pixel {} has {} hits, and {} fragments: without storage blocks "
+      "a primitive's second fragment of a pixel is not told",
       location_of(index % limits_.size()), *found.first, *found.second);
 }
 

@@ -78,8 +78,8 @@ std::vector<std::size_t> demands_of(const CaseStore& cases, const Reached& reach
 }
 
 // Takes the case that reaches the most open goals, a light one if any reaches some, until none is
-// open. Those that a case reaches
-// only become fewer, so an old count that is still the largest need not be compared with others.
+// open. The open goals of a case only become fewer, so an old count that is still the largest need
+// not be compared with others.
 std::vector<std::size_t> greedy_cover(const CaseStore& cases, const Reached& reached,
                                       std::vector<std::size_t> open) {
   const auto gain = [&](std::size_t i) {

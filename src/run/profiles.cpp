@@ -23,11 +23,10 @@ void ReleaseProfiles::add(const std::string& folder, Policy policy) {
 }
 
 const ReleaseProfiles::Entry* ReleaseProfiles::find(const RendererInfo& info) const {
-  const auto usual = profiles_.find("");
   // A release is read from text, which is slow beside a small scene.
-  auto found = profiles_.end();
-  if (profiles_.size() > (usual == found ? 0 : 1)) found = profiles_.find(release_folder_of(info));
-  if (found == profiles_.end()) found = usual;
+  const bool has_releases = profiles_.size() > profiles_.count("");
+  auto found = has_releases ? profiles_.find(release_folder_of(info)) : profiles_.end();
+  if (found == profiles_.end()) found = profiles_.find("");
   return found == profiles_.end() ? nullptr : &found->second;
 }
 

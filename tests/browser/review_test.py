@@ -9,7 +9,6 @@ import unittest
 
 from report_pages import ReportTest
 import results_file
-import results_file
 import synthetic_results as synthetic
 
 CAUSE = "triangle.fill-rule=left-bottom"

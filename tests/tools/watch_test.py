@@ -12,9 +12,7 @@ import threading
 import time
 import unittest
 
-from support import EDGECASE, ROOT, SUITE, CommandTest, environment
-
-PATIENCE = 120  # seconds
+from support import EDGECASE, PATIENCE, ROOT, SUITE, CommandTest, environment
 
 
 class Watch(CommandTest):
