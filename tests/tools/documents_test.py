@@ -44,6 +44,9 @@ NOT_RUN = {
     "tools/sanitize": "builds all that is ours with a sanitizer, and runs all tests with it",
     "tools/fuzz": "builds with clang; the test `fuzz` runs it for a while",
     "tools/mutate": "builds hundreds of times; mutation_sample plants a few",
+    "build/release/bin/edgecase run cases/lines --watch": "stays until it is ended; watch_test",
+    "build/release/bin/edgecase run --suite core --against recording:":
+        "needs what a browser saved; web_test reads such a file",
     "cmake --install": "tests/package installs",
     "man edgecase": "needs what is installed; tests/package asks man for the page",
     "tools/ci/slurm": "needs root and Slurm; ci_test runs both",
@@ -69,7 +72,8 @@ STANDS_IN = {
 }
 
 # What reads a few cases of the whole suite, by their names, or a folder of it.
-OF_WHOLE_SUITE = ("edgecase gallery", "edgecase rules --book", "edgecase run cases/triangles ")
+OF_WHOLE_SUITE = ("edgecase gallery", "edgecase web", "edgecase rules --book",
+                  "edgecase run cases/triangles ")
 
 # Commands that do not end with 0, by how they begin.
 EXITS = {
@@ -208,7 +212,7 @@ class Documents(CommandTest):
             run = cls.shell(command, cls.checkout)
             if run.returncode != 0:
                 raise AssertionError(f"{command}: {run.stdout[-2000:]}{run.stderr[-2000:]}")
-        for name in ("old.zst", "new.zst"):
+        for name in ("old.zst", "new.zst", "22.3.zst", "25.0.zst", "26.2.zst"):
             shutil.copy(cls.checkout / "out/results.zst", cls.checkout / name)
         (cls.checkout / "decisions.json").write_text(json.dumps(
             {"edgecase_decisions": 2, "renderer": "egl:softpipe", "decisions": []}),
