@@ -17,7 +17,7 @@ const CaseView = {
   close() {
     CaseView.pictures?.destroy();
     CaseView.ramps?.destroy();
-    CaseView.one = CaseView.result = CaseView.pictures = CaseView.ramps = null;
+    CaseView.one = CaseView.result = CaseView.pictures = CaseView.ramps = CaseView.form = null;
   },
 
   // The result to open first: the named renderer's, else the worst.

@@ -213,7 +213,7 @@ function drawAxes(plot, columns, rows) {
     .find((n) => n * scale >= least) || 2048;
   context.textAlign = "center";
   context.textBaseline = "top";
-  const across = step(20 * ratio);
+  const across = step(Math.max(20 * ratio, context.measureText(String(columns - 1)).width + 8 * ratio));
   for (let i = 0; i < columns; i += across) {
     const x = plot.x(i + 0.5);
     if (x < plot.left || x > plot.left + plot.width) continue;

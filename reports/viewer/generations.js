@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Known faults by release of their driver, where results of several
-// releases were given: where each begins and ends.
+// SPDX-License-Identifier: MIT
+// Known faults by release of their driver, where results of several releases were given: where each
+// begins and ends.
 
 function generationRow(row, driver) {
   const link = (cases) => (row.smallest && CasesById.has(row.smallest)
@@ -9,7 +10,7 @@ function generationRow(row, driver) {
     row.cases.map((cases, i) => h("td.count", {
       class: !cases ? "" : driver.releases.length > 1 && !row.cases[i - 1] && i > 0 ? "shows begins" : "shows",
     }, cases ? link(cases) : h("span.zero", {}, "0"))),
-    h("td", {}, row.seen), h("td.what", {dir: "auto"}, row.reason));
+    h("td.seen", {}, row.seen), h("td.what", {dir: "auto"}, row.reason));
 }
 
 function generationsView() {
@@ -19,6 +20,6 @@ function generationsView() {
       scrolled("Faults of " + driver.driver + " by release", h("table.clusters.generations", {},
         h("thead", {}, h("tr", {}, h("th", {scope: "col"}, "fault"),
           driver.releases.map((name) => h("th.count", {scope: "col"}, name)),
-          ["seen", "what"].map((text) => h("th", {scope: "col"}, text)))),
+          ["seen", "what"].map((text) => h("th", {scope: "col", class: text}, text)))),
         h("tbody", {}, driver.rows.map((row) => generationRow(row, driver))))))));
 }

@@ -153,7 +153,7 @@ function sweepsOf(cases) {
 function listHead() {
   return h("div.list-head", {"aria-hidden": "true"}, h("span", {}), h("span", {}, "Case"),
     h("span.rules", {}, "Rules"),
-    Data.renderers.map((info) => h("span", {title: info.name}, info.name)));
+    Data.renderers.map((info) => h("span.name", {title: info.name}, info.name)));
 }
 
 function resultCell(one, result) {

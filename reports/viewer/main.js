@@ -7,7 +7,7 @@ async function showCase(one, state) {
     try {
       await loadDetails(one);
     } catch (fault) {
-      return showFault(one, fault);
+      return showFault(one, fault, state);
     }
     if (Route.read().case !== one.id) return;  // another place is shown by now
     state = Route.read();
@@ -27,12 +27,19 @@ function readNeighbours(one, state) {
     if (other?.line !== undefined) Blocks.readAhead(other.line);
 }
 
-// The case's details cannot be read, so only its line in the list is shown.
-function showFault(one, fault) {
+// The case's details cannot be read: what its line in the list knows is shown, and how to see the rest.
+function showFault(one, fault, state) {
   CaseView.close();
-  replace(byId("app"), h("main.case", {}, h("h1", {tabindex: "-1", dir: "auto"}, one.title || one.id),
-    h("p.card.alarm-box", {}, "The details of this case cannot be read: " + fault.message + "."),
-    h("p", {}, h("a.button", {href: Route.href(NO_PLACE)}, "\u2190 Back")), caseWords(one)));
+  const result = CaseView.resultFor(one, state.on);
+  for (const other of one.results) other.answer ??= NO_ANSWER;
+  Object.assign(CaseView, {one, result});
+  replace(byId("app"), caseHead(one, state), h("main.case", {}, caseTop(one, result),
+    h("section.card", {},
+      h("div.result-line", {}, verdictBadge(result.verdict), standingBadge(result.standing)),
+      [...result.found.keys()].map((rule) => h("div.result-line", {},
+        verdictIcon(verdictBy(one, result, rule)), verdictBy(one, result, rule) + " by", ruleChip(rule))),
+      h("p.sentence", {}, "The details of this case cannot be read: " + fault.message + ". Or run:"),
+      commandsFor(one, result, null).map(commandLine)), caseWords(one)));
 }
 
 const VIEWS = {

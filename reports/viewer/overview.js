@@ -121,7 +121,7 @@ function knownSection() {
     h("span.faint", {}, plural(rows.size, "fault", "faults"),
       Data.faults.some(moved) && "; edgecase bless --apply renews their counts")),
   scrolled("Known faults", h("table.clusters.known", {},
-    h("thead", {}, h("tr", {}, ["fault", "what"].map((text) => h("th", {scope: "col"}, text)),
+    h("thead", {}, h("tr", {}, ["fault", "what"].map((text) => h("th", {scope: "col", class: text}, text)),
       names.map((name) => h("th.count", {scope: "col"}, name)))),
     h("tbody", {}, sorted.map(({fault, by}) => h("tr", {},
       h("th.mono", {scope: "row"}, fault.id),

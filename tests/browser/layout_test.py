@@ -10,7 +10,9 @@ import synthetic_results as synthetic
 
 WIDE = 128  # pixels of a whole scene
 VIEWS = ["", "#view=cases", "#view=statistics", "#cause=1"]
-BEYOND = ("[...document.querySelectorAll('main *, nav.bar *')].filter((e) => !e.closest('.scroll, .panes') "
+FITTING = ".known, .generations, .summary"  # tables that fit a phone; others scroll in a box of their own
+BEYOND = ("[...document.querySelectorAll('main *, nav.bar *')].filter((e) => "
+          f"!e.closest('.scroll:not(:has({FITTING})), .panes') "
           "&& !e.matches('.unseen') && e.getBoundingClientRect().right > innerWidth + 1)"
           ".map((e) => e.tagName + '.' + e.className)")
 

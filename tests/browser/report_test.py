@@ -2,6 +2,7 @@
 """The HTML report in a browser: what it weighs, how much of it the browser holds, that it asks for
 nothing, shows every text as text, can be read and worked by everyone, and that what reviewers decide
 comes back as known faults. How long it takes is not a matter of these tests: tools/bench."""
+import json
 import re
 import unittest
 from urllib.parse import quote
@@ -73,9 +74,13 @@ class Report(ReportTest):
         self.browser.open(page)
         left_out = self.browser.ask("Cases.find((one) => one.line && !Blocks.isHere(one.line)).id")
         self.open_case(page, {"id": left_out})
-        self.browser.wait("document.querySelector('.alarm-box')")
-        self.assertIn("write it with --all-details",
-                      self.browser.ask("document.getElementById('app').textContent"))
+        self.browser.wait("document.querySelector('main.case .result-line')")
+        told = self.browser.ask("document.getElementById('app').innerText")
+        for words in ("write it with --all-details", left_out, "edgecase run "):
+            self.assertIn(words, told)
+        self.browser.press("a")  # nothing to decide on
+        self.browser.press("j")
+        self.browser.wait(f"CaseView.one.id !== {json.dumps(left_out)}")
         page = self.report(results, "--all-details")
         scripts = sorted(p.name for p in self.folder.glob("report.*.js"))
         self.assertTrue(scripts)
@@ -89,7 +94,7 @@ class Report(ReportTest):
         for script in scripts:
             (self.folder / script).unlink()
         self.open_case(page, {"id": far})
-        self.browser.wait("document.querySelector('.alarm-box')")
+        self.browser.wait("document.querySelector('main.case .result-line')")
         self.assertIn("not beside this page", self.browser.ask("document.getElementById('app').textContent"))
         self.browser.complaints()
         self.report(synthetic.make(10, 10))

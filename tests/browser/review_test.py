@@ -169,6 +169,12 @@ class Review(ReportTest):
         self.assertEqual(rows[0][1:3], ["Mesa 22.3.6", "Mesa 25.0.7"])
         self.assertEqual(rows[1], ["ties", "0", "1", "since Mesa 25.0.7", "Ties go left-bottom."])
         self.assertEqual(rows[2][0], "not known")
+        self.browser.cdp("Emulation.setDeviceMetricsOverride", width=390, height=844,
+                         deviceScaleFactor=1, mobile=False)
+        boxes = "[...document.querySelectorAll('.generations')].map((table) => table.parentElement)"
+        self.assertTrue(self.browser.ask(f"{boxes}.every((box) => box.scrollWidth <= box.clientWidth)"))
+        self.browser.cdp("Emulation.setDeviceMetricsOverride", width=1280, height=800,
+                         deviceScaleFactor=1, mobile=False)
         self.browser.driver.find_element("css selector", ".generations td a").click()
         self.browser.wait("CaseView.one")
         self.browser.press("ESCAPE")
