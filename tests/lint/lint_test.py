@@ -15,6 +15,7 @@ std::string doubled(const std::string& text) {
   return text + text;
 }
 """
+NOT_RUN = 77
 UNFORMATTED = CLEAN.replace("  return", "return")
 NARROWING = "int whole(double number);\nint whole(double number) { return number; }\n"
 COPYING = CLEAN.replace("const std::string& text", "const std::string text")
@@ -48,6 +49,8 @@ class Lint(unittest.TestCase):
         return done.returncode, done.stdout + done.stderr
 
     def check(self, step, faulty, named):
+        if self.lint(step, CLEAN)[0] == NOT_RUN:
+            self.skipTest("another clang-format")
         self.assertEqual(self.lint(step, CLEAN), (0, f"tools/lint: {step}: no fault\n"))
         code, text = self.lint(step, faulty)
         self.assertEqual(code, 1)
@@ -66,6 +69,8 @@ class Lint(unittest.TestCase):
 
     def test_a_folder_is_all_sources_below_it(self):
         code, text = self.lint("format", UNFORMATTED, ".")
+        if code == NOT_RUN:
+            self.skipTest("another clang-format")
         self.assertEqual(code, 1, text)
         self.assertIn("file.cpp:", text)
         self.assertEqual(self.lint("format", CLEAN, ".")[0], 0)

@@ -51,6 +51,7 @@ TEST(Worker, ZinkUponAnotherVulkanDriverIsUnavailable) {
   const ProcessSpec lavapipe = spec_of("egl:zink");
   for (const char* variable : {"VK_ICD_FILENAMES", "VK_DRIVER_FILES"})
     spec.command.environment[variable] = lavapipe.command.environment.at(variable);
+  spec.command.environment["MESA_SHADER_CACHE_DISABLE"] = "true";
   const Failure failure = failure_of(spec);
   EXPECT_EQ(failure.kind, FailureKind::unavailable);
   EXPECT_THAT(failure.reason,
@@ -131,6 +132,8 @@ TEST(Worker, WithoutFineDerivativesItTellsThePlainOnes) {
   ProcessSpec spec = spec_of("egl:llvmpipe");
   spec.command.environment["MESA_GL_VERSION_OVERRIDE"] = "4.3";
   spec.command.environment["MESA_GLSL_VERSION_OVERRIDE"] = "430";
+  // Mesa 25.0 crashes where another version's programs are in its cache.
+  spec.command.environment["MESA_SHADER_CACHE_DISABLE"] = "true";
   Scene scene = blank_scene(1, 1);
   scene.details.derivatives = true;
   scene.draws = {make_draw(Primitive::points, {{128, 128}})};

@@ -84,8 +84,9 @@ class Bless(CommandTest):
 
     def test_a_fault_that_does_not_show_is_told_and_closed(self):
         self.blessed()
+        (release,) = {name for fault in self.faults().values() for name in fault["cases_on"]}
         gone = {"id": "gone", "rule": "line.joint", "kind": "missing", "cases": ["points"],
-                "versions": "Mesa >=1", "cases_on": {"Mesa 1.0": 3, "Mesa 22.3.6": 2},
+                "versions": "Mesa >=1", "cases_on": {"Mesa 1.0": 3, release: 2},
                 "reason": "was so"}
         self.write_faults(*self.faults().values(), gone)
         run = self.command("run", "cases", *AGAINST, "--json", "results.json")

@@ -181,7 +181,7 @@ set_target_properties(edgecase-gtest PROPERTIES IMPORTED_LOCATION {GTEST})
 gtest_discover_tests(edgecase-gtest DISCOVERY_MODE PRE_TEST
   WORKING_DIRECTORY ${{CMAKE_SOURCE_DIR}} EXTRA_ARGS --against "{self.renderer}")
 """)
-        self.command("-S", ".", "-B", "build", program="cmake")
+        self.command("-S", ".", "-B", "build", "-G", "Ninja", program="cmake")
         told = self.command("--test-dir", "build", program="ctest", expect=8).stdout
         self.assertIn("80% tests passed, 1 tests failed out of 5", told)
         for id, result in ((PLAIN, "Passed"), (SHARED, "Failed"), (LINE, "Skipped")):

@@ -5,6 +5,7 @@ A test owns a temporary folder and runs the command there; it never touches the 
 program is the built one (EDGECASE_BIN), the suite that of the checkout (EDGECASE_ROOT), both set by
 tests/tools/CMakeLists.txt.
 """
+import functools
 import glob
 import json
 import os
@@ -41,6 +42,15 @@ UNHURRIED = ["--timeout", str(PATIENCE // 120)]
 
 # Exit codes.
 AS_EXPECTED, UNEXPECTED, USAGE, INTERNAL, RENDERER, NOTHING_SELECTED = range(6)
+
+
+@functools.cache
+def mesa_release():
+    """Mesa's release, as its drivers report it: "22.3.6". What each draws differs from release to
+    release, so some tests are about one."""
+    told = subprocess.run([EDGECASE, "backends", "egl:softpipe"], capture_output=True, text=True,
+                          timeout=PATIENCE, env=environment(), check=True).stdout
+    return re.search(r" Mesa (\d[\d.]*)", told)[1]
 
 
 def environment(**more):

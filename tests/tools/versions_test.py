@@ -6,10 +6,11 @@ does not draw says what it lacks.
 Versions are Mesa's overrides, and reach the worker as a device is asked in the user's environment.
 """
 import re
+import tempfile
 import unittest
 
 from suite_data import ID, files_of_share
-from support import RENDERER, SUITE, CommandTest, only_result
+from support import RENDERER, SUITE, CommandTest, mesa_release, only_result
 
 REFUSAL = re.compile(r"edgecase: (.+): unsupported: (.+)")
 # Files of each kind of pass: windows, operations, details, textures, samples, passes.
@@ -20,6 +21,9 @@ ALWAYS = [f"{SUITE}/{name}.json" for name in (
 OPENGL = {"LIBGL_ALWAYS_SOFTWARE": "1", "GALLIUM_DRIVER": "llvmpipe"}
 LACKS_STORAGE = "GL_ARB_shader_storage_buffer_object"
 NO_SAMPLES = "OpenGL ES 3.0 has no multisampled textures, of which samples are read"
+# Mesa 25.0 reads 0 from stencil buffers beside 32-bit depths in OpenGL ES 3.0.
+NO_STENCIL = "this driver makes another framebuffer: its stencil buffer, cleared to 165, holds 0"
+IS_OLDEST = mesa_release() == "22.3.6"
 
 
 def version(number):
@@ -27,7 +31,24 @@ def version(number):
             "MESA_GLSL_VERSION_OVERRIDE": number.replace(".", "") + "0"}
 
 
-class Versions(CommandTest):
+class OfVersions(CommandTest):
+    """With caches of their own: Mesa 25.0 crashes where one has another version's programs."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        folder = tempfile.TemporaryDirectory(prefix="edgecase-versions-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.caches = folder.name
+
+    def command(self, *arguments, **options):
+        overrides = [str(value) for name, value in sorted(options.items()) if "OVERRIDE" in name]
+        if overrides:
+            options["MESA_SHADER_CACHE_DIR"] = "-".join([f"{self.caches}/cache", *overrides])
+        return super().command(*arguments, **options)
+
+
+class Versions(OfVersions):
     def rendered(self, renderer, **variables):
         """id -> rendering, a line of JSON, and id -> why there is none."""
         run = self.command("render", *sorted({*ALWAYS, *map(str, files_of_share())}), "--exclude",
@@ -57,11 +78,12 @@ class Versions(CommandTest):
                                         version("4.2")), 0.95)
 
     def test_opengl_es_3_0_draws_as_the_newest(self):
-        share = self.compare("egl-es:device0", NO_SAMPLES, {"MESA_GLES_VERSION_OVERRIDE": "3.0"})
+        share = self.compare("egl-es:device0", NO_SAMPLES if IS_OLDEST else f"{NO_SAMPLES}|{NO_STENCIL}",
+                             {"MESA_GLES_VERSION_OVERRIDE": "3.0"})
         self.assertGreater(share, 0.6)
 
 
-class WhatOldVersionsShow(CommandTest):
+class WhatOldVersionsShow(OfVersions):
     def results_of(self, case, renderer="egl:device0", **variables):
         return self.results(f"{SUITE}/{case}.json", "--against", renderer, expect=None,
                             **{**OPENGL, **variables})
@@ -77,6 +99,7 @@ class WhatOldVersionsShow(CommandTest):
                                 for d in told[-1]["disagreements"]))
         self.assertEqual(*(one["fingerprint"] for one in told))
 
+    @unittest.skipUnless(IS_OLDEST, "later releases do not have this fault")
     def test_passes_that_contradict_each_other_do_so_alike(self):
         """llvmpipe's window: hits without fragments are garbage, and no doubt of the capture."""
         for variables in ({}, version("3.3")):

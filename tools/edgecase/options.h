@@ -3,6 +3,8 @@
 // Options that several subcommands share, and their meanings.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <iosfwd>
@@ -17,6 +19,18 @@
 namespace edgecase {
 
 inline constexpr const char* kToolName = "edgecase " EDGECASE_VERSION;
+
+// Values from `least` to `most`, both included; a fault is worded alike by every CLI11.
+template <class T>
+CLI::Validator in_range(T least, T most) {
+  const CLI::Range range(least, most);
+  return {[range, least, most](std::string& value) {
+            return range(value).empty()
+                       ? std::string()
+                       : fmt::format("Value {} not in range {} to {}", value, least, most);
+          },
+          range.get_description()};
+}
 
 // An option with exactly one value each time it is given, so that "--filter GLOB PATH" ends with a
 // path.

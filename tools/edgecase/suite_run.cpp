@@ -113,12 +113,12 @@ void SuiteRunOptions::add_to(CLI::App& command) {
                   known_renderer_names()));
   project.add_to(command);
   command.add_option("--jobs", jobs, "Threads (default: one per processor)")
-      ->check(CLI::Range(1, 256));
+      ->check(in_range(1, 256));
   command
       .add_option("--timeout", timeout,
                   "Seconds per case; a renderer's first answer may take "
                   "four times as long beside that, 5 to 30 seconds")
-      ->check(CLI::Range(0.01, 3600.0));
+      ->check(in_range(0.01, 3600.0));
   command.add_option("--progress", progress, "Progress on standard error")
       ->check(CLI::IsMember({"auto", "never"}));
 }

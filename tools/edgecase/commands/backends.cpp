@@ -220,7 +220,7 @@ void add_backends_command(CLI::App& app, ExitCode& exit) {
   command->add_option("--json", options->json,
                       "Write the checks of programs as JSON; - for standard output");
   command->add_option("--timeout", options->timeout, "Seconds for each answer to a check")
-      ->check(CLI::Range(0.001, 3600.0));
+      ->check(in_range(0.001, 3600.0));
   command->callback([options, &exit] { exit = run_backends(*options); });
 }
 

@@ -75,16 +75,16 @@ void add_bench_command(CLI::App& app, ExitCode& exit) {
                  "Only scenes, pipeline, diff or stages; repeatable (default: all)");
   command->get_option("--part")->check(CLI::IsMember(kParts));
   command->add_option("--rounds", plan.rounds, "Rounds of each measurement")
-      ->check(CLI::Range(1, 1000))
+      ->check(in_range(1, 1000))
       ->capture_default_str();
   command->add_option("--seconds", plan.seconds, "Least seconds of one measurement")
-      ->check(CLI::Range(0.0, 600.0))
+      ->check(in_range(0.0, 600.0))
       ->capture_default_str();
   command->add_option("--side", plan.side, "Side of the scenes' targets, in pixels")
       ->check(CLI::IsMember({64, 128, 256, 512, 1024}))
       ->capture_default_str();
   command->add_option("--cases", plan.cases, "Approximate number of cases of the pipeline")
-      ->check(CLI::Range(64, 1'000'000))
+      ->check(in_range(64, 1'000'000))
       ->capture_default_str();
   command->add_option("--json", options->json,
                       "Write all measurements as JSON; - for standard output");

@@ -296,13 +296,13 @@ void add_fuzz_command(CLI::App& app, ExitCode& exit) {
   command->add_option("--seed", options->seed, "Number that fixes the scenes")
       ->capture_default_str();
   command->add_option("--seconds", options->seconds, "Stop after so many seconds")
-      ->check(CLI::Range(0.1, 1e8));
+      ->check(in_range(0.1, 1e8));
   command->add_option("--count", options->count, "Stop after so many scenes")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}));
+      ->check(in_range(std::size_t{1}, std::size_t{1'000'000'000'000}));
   command->add_flag("--exhaustive", options->exhaustive,
                     "Render every scene of the finite families, such as grid-lines; then stop");
   command->add_option("--finds", options->finds, "Stop after so many finds")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
+      ->check(in_range(std::size_t{1}, std::size_t{1'000'000}));
   add_repeatable(*command, "--corpus", options->corpus,
                  "Case file, folder, id or glob of ids whose scenes are mutated, too; repeatable");
   command->get_option("--exhaustive")->excludes(command->get_option("--corpus"));
@@ -319,14 +319,14 @@ void add_fuzz_command(CLI::App& app, ExitCode& exit) {
   command
       ->add_option("--max-asks", options->max_asks,
                    "Most scenes that a renderer is asked to draw while one find is minimized")
-      ->check(CLI::Range(1, 10'000'000))
+      ->check(in_range(1, 10'000'000))
       ->capture_default_str();
   command->add_option("--save", options->save, "Folder to write each find to, as a case file");
   command->add_option("--json", options->json, "Write everything as JSON; - for standard output");
   command->add_option("--timeout", options->timeout, "Seconds per scene")
-      ->check(CLI::Range(0.01, 3600.0));
+      ->check(in_range(0.01, 3600.0));
   command->add_option("--jobs", options->jobs, "Threads (default: one per processor)")
-      ->check(CLI::Range(1, 256));
+      ->check(in_range(1, 256));
   command->add_option("--progress", options->progress, "Progress on standard error")
       ->check(CLI::IsMember({"auto", "never"}));
   options->project.add_to(*command);

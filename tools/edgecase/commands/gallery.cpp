@@ -140,7 +140,7 @@ void add_gallery_command(CLI::App& app, ExitCode& exit) {
   command->add_option("--suite", options->suite, "Folder with cases, policies and galleries")
       ->capture_default_str();
   command->add_option("--timeout", options->run.timeout, "Seconds per case")
-      ->check(CLI::Range(0.01, 3600.0));
+      ->check(in_range(0.01, 3600.0));
   command->add_option("--progress", options->run.progress, "Progress on standard error")
       ->check(CLI::IsMember({"auto", "never"}));
   options->run.project.add_to(*command);

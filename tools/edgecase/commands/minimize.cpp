@@ -317,10 +317,10 @@ void add_minimize_command(CLI::App& app, ExitCode& exit) {
   command
       ->add_option("--max-asks", options->max_asks,
                    "Most scenes that the renderer is asked to draw")
-      ->check(CLI::Range(1, 10'000'000))
+      ->check(in_range(1, 10'000'000))
       ->capture_default_str();
   command->add_option("--timeout", options->timeout, "Seconds per scene")
-      ->check(CLI::Range(0.01, 3600.0));
+      ->check(in_range(0.01, 3600.0));
   options->policy.add_to(*command);
   options->project.add_to(*command);
   command->callback([options, command, &exit] {

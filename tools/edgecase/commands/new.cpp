@@ -331,7 +331,7 @@ void add_new_command(CLI::App& app, ExitCode& exit) {
   CLI::Option* draw = command->get_option("--draw")->excludes(from);
   command->add_option("--size", options->size, "Size of the target, WIDTHxHEIGHT")->needs(draw);
   command->add_option("--samples", options->samples, "Samples per pixel")
-      ->check(CLI::Range(1, 16))
+      ->check(in_range(1, 16))
       ->needs(draw);
   command->add_option("--surface", options->surface, "Surface: fbo or window")->needs(draw);
   command->add_option("--depth", options->depth, "Format of the depth buffer")->needs(draw);

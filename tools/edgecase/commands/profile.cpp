@@ -131,7 +131,7 @@ void add_profile_command(CLI::App& app, ExitCode& exit) {
   command
       ->add_option("--scenes", options->scenes,
                    "Random scenes of each primitive type on each surface")
-      ->check(CLI::Range(100, 10'000'000))
+      ->check(in_range(100, 10'000'000))
       ->capture_default_str();
   add_repeatable(*command, "--surface", options->surfaces,
                  "fbo or window; repeatable (default: both)");
@@ -149,9 +149,9 @@ void add_profile_command(CLI::App& app, ExitCode& exit) {
       "--policy-file", options->policy_file,
       "File for the measured policy, which --policy accepts; - for standard output");
   command->add_option("--timeout", options->timeout, "Seconds per scene")
-      ->check(CLI::Range(0.01, 3600.0));
+      ->check(in_range(0.01, 3600.0));
   command->add_option("--jobs", options->jobs, "Threads (default: one per processor)")
-      ->check(CLI::Range(1, 256));
+      ->check(in_range(1, 256));
   command->add_option("--progress", options->progress, "Progress on standard error")
       ->check(CLI::IsMember({"auto", "never"}));
   options->project.add_to(*command);

@@ -96,9 +96,9 @@ void add_record_command(CLI::App& app, ExitCode& exit) {
       ->required();
   command->add_option("-o,--output", options->file, "The recording to write")->required();
   command->add_option("--jobs", options->jobs, "Threads (default: one per processor)")
-      ->check(CLI::Range(1, 256));
+      ->check(in_range(1, 256));
   command->add_option("--timeout", options->timeout, "Seconds per case")
-      ->check(CLI::Range(0.01, 3600.0));
+      ->check(in_range(0.01, 3600.0));
   command->add_option("--progress", options->progress, "Progress on standard error")
       ->check(CLI::IsMember({"auto", "never"}));
   options->project.add_to(*command);

@@ -129,9 +129,9 @@ void add_render_command(CLI::App& app, ExitCode& exit) {
                       "output (the default)");
   command->add_option("--png", options->png, "Folder for one PNG per case");
   command->add_option("--scale", options->scale, "Enlarge pixels of PNG files")
-      ->check(CLI::Range(1, 64));
+      ->check(in_range(1, 64));
   command->add_option("--timeout", options->timeout, "Seconds per case")
-      ->check(CLI::Range(0.01, 3600.0));
+      ->check(in_range(0.01, 3600.0));
   options->project.add_to(*command);
   command->callback([options, command, &exit] {
     options->project.take(*command, options->renderer, {"paths", "--policy"});

@@ -293,7 +293,7 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
   command
       ->add_option("--max-failures", options->max_failures,
                    "End after so many unexpected cases, and report the finished ones")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}));
+      ->check(in_range(std::size_t{1}, std::size_t{1'000'000'000}));
   command->add_flag(
       "--no-rerun", options->no_rerun,
       "Do not ask again after an unexpected answer; the second answer reveals flakes");
