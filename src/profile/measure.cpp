@@ -133,7 +133,8 @@ constexpr std::array kSubjects{&kCoverageSubject, &kClippingSubject, &kValueSubj
 class SurfaceMeasurement {
  public:
   SurfaceMeasurement(Surface surface, const MeasureOptions& options)
-      : options_(options), question_{options.seed, surface, options.scenes_per_kind} {
+      : options_(options),
+        question_{options.seed, surface, options.scenes_per_kind, options.searched_scenes} {
     profile_.surface = surface;
     findings().found = resolve(Policy{}, surface);
   }

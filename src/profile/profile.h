@@ -56,7 +56,9 @@ struct Profile {
 struct MeasureOptions {
   std::string name;  // of the renderer, for the policy
   std::uint64_t seed = 1;
-  std::size_t scenes_per_kind = 20'000;  // random scenes of each primitive type and surface
+  std::size_t scenes_per_kind = 100;  // random scenes of each primitive type and surface
+  // Of each as well; those are drawn that tell apart what the others do not.
+  std::size_t searched_scenes = 20'000;
   std::vector<Surface> surfaces = {Surface::fbo, Surface::window};
   int jobs = 2;
   std::function<void(std::size_t done, std::size_t total)> progress;  // scenes; from any thread

@@ -63,13 +63,13 @@ class Page(CommandTest):
             self.browser.cdp("Page.removeScriptToEvaluateOnNewDocument",
                              identifier=added["identifier"])
 
-    def draw(self, before=""):
-        """All that the page has; returns the recording."""
+    def draw(self, before="", instead="await page.run();"):
+        """All that the page has, or what `instead` draws; returns the recording."""
         text = self.browser.driver.execute_async_script(
             before + """
             const done = arguments[0];
             (async () => {
-              await page.run();
+              """ + instead + """
               const bytes = await page.recording();
               return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
             })().then(done, (fault) => done("!" + fault.stack));""")
@@ -101,6 +101,37 @@ class Page(CommandTest):
         self.assertGreater(self.counts()["drawn"], len(found) / 2)
         self.assertLessEqual({url.split(":")[0] for url in self.browser.requests()},
                              {"about", "file"})
+
+    def test_a_page_of_probes_has_what_a_profile_asks(self):
+        """All of them take minutes to draw: here every fifth of the random scenes of coverage."""
+        page = self.page_of("--probes")
+        self.assertLess(page.stat().st_size, 8_000_000)
+        self.open(page)
+        recording = self.draw("""
+            const whole = page.draw;
+            page.draw = async function (one) {
+              const isAsked = /^(point|line|triangle)\\/\\d*[05]$/.test(one.id);
+              return isAsked ? whole.call(this, one) : (++this.done, true);
+            };""")
+        run = self.command("profile", "--against", recording, "--json", "profile.json")
+        self.assertIn("SwiftShader", run.stdout)
+        found = json.loads((self.folder / "profile.json").read_text("utf-8"))
+        [surface] = found["surfaces"]
+        self.assertEqual(surface["scenes"], 60)
+        follows = {trait["id"]: trait["follows"] for trait in surface["traits"]}
+        self.assertEqual(follows["point.ownership"], "left-bottom")
+        self.assertEqual(follows["triangle.snap"], "4-half-even")
+
+    def test_a_tab_that_is_about_to_be_closed_asks(self):
+        """What was drawn until then can be saved, and says that it is not all."""
+        self.open(self.page_of(SUITE, "--exclude", "scenes/*", "--shard", "1/20"))
+        recording = self.draw(instead="page.run(); await new Promise((go) => setTimeout(go, 2000));")
+        self.assertEqual(self.state(), "drawing")
+        self.assertTrue(self.browser.ask(
+            "!dispatchEvent(new Event('beforeunload', {cancelable: true}))"))
+        self.browser.ask("page.state = 'done'")
+        run = self.command("run", f"{SUITE}/values", "--against", recording, expect=None)
+        self.assertIn("the recording was interrupted before this case", run.stdout)
 
     @in_full_tier
     def test_it_is_usable_by_thumb(self):

@@ -186,7 +186,7 @@ void SelectionOptions::add_to(CLI::App& command, bool with_shard) {
                      "cases, or the installed suite)");
   command
       .add_option("--suite", suite,
-                  "core: only the few cases that tell apart whatever the whole suite tells apart")
+                  "Only a few cases: core, which tells apart whatever the whole suite tells apart")
       ->check(CLI::IsMember({"core"}));
   add_repeatable(command, "--filter", filters,
                  "Only cases whose id matches this shell glob; repeatable");

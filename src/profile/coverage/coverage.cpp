@@ -7,10 +7,12 @@
 #include <array>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "generate/random_scenes.h"
 #include "profile/evidence/inference.h"
+#include "raster/rasterizer.h"
 
 namespace edgecase {
 namespace {
@@ -19,6 +21,10 @@ constexpr std::array kKinds = {PrimitiveKind::point, PrimitiveKind::triangle, Pr
 // Shares of the number of random scenes of a kind.
 constexpr std::size_t kWideLineShare = 10;
 constexpr std::size_t kSharedEdgeShare = 4;
+// How many scenes tell the inferred choice and a rival apart, if there are so many, and how often
+// they are chosen anew by what the renderer drew of the last.
+constexpr std::size_t kTellingScenes = 8;
+constexpr int kTellingRounds = 6;
 
 using Observations = std::vector<Observation>;
 
@@ -103,19 +109,67 @@ bool is_one_primitive(const Draw& draw) {
   return draw.vertices.size() == static_cast<std::size_t>(vertices_of(kind_of(draw.primitive)));
 }
 
+// What is inferred, beside each other alternative of one rule and what was as good, and which
+// scenes tell the two apart.
+class Rivals {
+ public:
+  Rivals(PrimitiveKind kind, const Inference& inference) : own_(inference.choice.of(kind)) {
+    for (const InferredRule& rule : inference.rules)
+      for (const RuleChoices& other : choices_by_alternative(inference.choice, rule.rule))
+        add(other.of(kind));
+    for (const RuleChoices& other : inference.equals) add(other.of(kind));
+  }
+
+  bool are_told() const {
+    return std::ranges::all_of(rivals_,
+                               [](const Rival& rival) { return rival.told >= kTellingScenes; });
+  }
+  // Whether the scene, of one primitive, tells a rival that has not been told often enough.
+  bool tells(const Scene& scene) {
+    const auto primitives = primitives_of(scene);
+    const auto own = covered_pixels(primitives[0], scene.target, own_);
+    bool is_telling = false;
+    for (Rival& rival : rivals_) {
+      if (rival.told >= kTellingScenes) continue;
+      if (covered_pixels(primitives[0], scene.target, rival.choice) == own) continue;
+      ++rival.told;
+      is_telling = true;
+    }
+    return is_telling;
+  }
+
+ private:
+  struct Rival {
+    CoverageChoice choice;
+    std::size_t told = 0;
+  };
+
+  void add(const CoverageChoice& choice) {
+    const auto is_it = [&](const Rival& rival) { return rival.choice == choice; };
+    if (choice != own_ && std::ranges::none_of(rivals_, is_it)) rivals_.push_back({choice});
+  }
+
+  CoverageChoice own_;
+  std::vector<Rival> rivals_;
+};
+
 class CoverageMeasurement {
  public:
   CoverageMeasurement(const Question& question, SceneDrawing& drawing, SurfaceFindings& findings)
-      : surface_(question.surface), scenes_(question), drawing_(drawing), findings_(findings) {}
+      : question_(question),
+        surface_(question.surface),
+        scenes_(question),
+        drawing_(drawing),
+        findings_(findings) {}
 
   void run() {
     for (Observations* observations : scenes_.all()) drawing_.observe(*observations);
+    infer_choices();
     for (const Observations& observations : scenes_.random) {
       findings_.random_scenes += observations.size();
       findings_.with_ties += static_cast<std::size_t>(std::ranges::count_if(
           observations, [](const Observation& one) { return has_tie(one.scene); }));
     }
-    infer_choices();
     ask_probes();
     ask_provoking();
     for (Observations* observations : scenes_.unclipped())
@@ -146,6 +200,37 @@ class CoverageMeasurement {
     return result;
   }
 
+  // Random scenes beside those that were drawn, in which the choice and a rival of it draw
+  // otherwise than each other; none if all that can be told is.
+  Observations telling_scenes(std::size_t k, const Inference& inference) {
+    Rivals rivals(kKinds[k], inference);
+    for (const Observation& seen : scenes_.random[k])
+      if (seen.failure.empty()) rivals.tells(seen.scene);
+    Observations telling;
+    for (std::size_t i = question_.scenes_per_kind;
+         i < question_.searched_scenes && !rivals.are_told(); ++i) {
+      if (are_telling_[k].contains(i)) continue;
+      Scene scene = random_scene({question_.seed, kKinds[k], surface_}, i);
+      if (!rivals.tells(scene)) continue;
+      are_telling_[k].insert(i);
+      telling.push_back({scene_id(name_of(kKinds[k]), i), std::move(scene), {}, {}, {}, {}});
+    }
+    drawing_.observe(telling);
+    return telling;
+  }
+
+  // Draws more scenes until none is left that could tell more.
+  Inference infer_from(std::size_t k) {
+    Inference inference;
+    for (int round = 0;; ++round) {
+      inference = infer({kKinds[k], findings_.found, OpenRules::coverage}, scenes_for(kKinds[k]));
+      if (round == kTellingRounds) return inference;
+      Observations telling = telling_scenes(k, inference);
+      if (telling.empty()) return inference;
+      std::ranges::move(telling, std::back_inserter(scenes_.random[k]));
+    }
+  }
+
   void infer_choices() {
     for (std::size_t k = 0; k < kKinds.size(); ++k) {
       CoverageChoice& choice = kKinds[k] == PrimitiveKind::point  ? findings_.found.points
@@ -153,8 +238,7 @@ class CoverageMeasurement {
                                                                   : findings_.found.triangles;
       // Lines that are areas decide ties like triangles.
       if (kKinds[k] == PrimitiveKind::line) choice.ties = findings_.found.triangles.ties;
-      const Inference inference =
-          infer({kKinds[k], findings_.found, OpenRules::coverage}, scenes_for(kKinds[k]));
+      const Inference inference = infer_from(k);
       choice = inference.choice.of(kKinds[k]);
       adopt(inference);
     }
@@ -203,8 +287,10 @@ class CoverageMeasurement {
     parse_name(trait.alternative, findings_.found.values.provoking);
   }
 
+  const Question& question_;
   Surface surface_;
   CoverageScenes scenes_;
+  std::array<std::set<std::size_t>, 3> are_telling_;  // indices of the random scenes drawn beside
   SceneDrawing& drawing_;
   SurfaceFindings& findings_;
 };

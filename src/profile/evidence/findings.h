@@ -266,7 +266,10 @@ struct Question {
   std::uint64_t seed = 1;
   Surface surface = Surface::fbo;
   // Random scenes of each primitive type; a subject draws a share of this for each of its kinds.
-  std::size_t scenes_per_kind = 20'000;
+  std::size_t scenes_per_kind = 100;
+  // So many random scenes of each primitive type are searched for those that tell alternatives of
+  // coverage apart which the drawn ones do not; these are drawn as well.
+  std::size_t searched_scenes = 20'000;
 };
 
 // A part of the measurement; its scenes depend on earlier findings.

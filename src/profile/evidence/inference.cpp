@@ -134,6 +134,7 @@ namespace {
 
 constexpr std::size_t kFirstRound = 100;  // scenes
 constexpr std::size_t kFinalists = 3;
+constexpr std::size_t kEquals = 64;       // most that are named as good as the best
 constexpr std::size_t kRivals = 2;        // per rule, compared with all scenes
 constexpr std::size_t kRivalRound = 600;  // scenes by which rivals are chosen
 constexpr int kCheapTarget = 32;          // pixels; scenes up to this size decide the rounds
@@ -270,7 +271,7 @@ class Contest {
   }
 
   Inference operator()() {
-    if (all_.empty()) return {start_, {}, {}};
+    if (all_.empty()) return {start_, {}, {}, {}};
     play_rounds();
     SceneCounts counts(all_, kind_, are_multisampled_lines_);
     for (Candidate& finalist : candidates_) finalist.agreeing = counts.of(finalist.choice);
@@ -304,6 +305,10 @@ class Contest {
       candidates_.resize(std::max(kFinalists, candidates_.size() / 3));
       from += scenes.size();
     }
+    std::stable_sort(candidates_.begin(), candidates_.end(), better);
+    for (const Candidate& candidate : candidates_)
+      if (candidate.agreeing == candidates_.front().agreeing && equals_.size() < kEquals)
+        equals_.push_back(candidate.choice);
     candidates_.resize(std::min(candidates_.size(), kFinalists));
   }
 
@@ -355,7 +360,7 @@ class Contest {
   }
 
   Inference report(const Candidate& best, std::span<const Candidate> rivals) const {
-    Inference result{best.choice, {best.agreeing, all_.size()}, {}};
+    Inference result{best.choice, {best.agreeing, all_.size()}, {}, equals_};
     for (const Changes& rule : rules_) {
       const RuleId id = rule.front().id.rule;
       if (is_idle(best, id)) continue;
@@ -381,6 +386,7 @@ class Contest {
   RuleChoices start_;
   std::vector<Changes> rules_;
   std::vector<Candidate> candidates_;
+  std::vector<RuleChoices> equals_;
 };
 
 }  // namespace

@@ -157,6 +157,8 @@ struct Inference {
   RuleChoices choice;
   Rate rate;
   std::vector<InferredRule> rules;  // those that matter in the scenes
+  // Others that were as good as the best in the rounds: several rules may differ at once.
+  std::vector<RuleChoices> equals;
 };
 
 // The rules whose alternatives are tried.

@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "profile/asked_scenes.h"
 #include "profile/profile.h"
 #include "reports/text.h"
 #include "run/record.h"
@@ -26,7 +27,9 @@ struct ProfileCommand {
   std::string renderer;
   ProjectOption project;
   std::uint64_t seed = 1;
-  std::size_t scenes = 20'000;
+  std::size_t scenes = 0;  // 0: few, and those that tell alternatives apart
+  bool thorough = false;
+  bool asks_otherwise = false;  // than by default
   std::vector<std::string> surfaces;
   PolicyOptions policy;
   double timeout = 10;
@@ -40,9 +43,11 @@ struct ProfileCommand {
 
 MeasureOptions options_of(const ProfileCommand& command) {
   MeasureOptions options;
+  if (is_recording(command.renderer)) options = options_of_pages();
   options.name = command.renderer;
   options.seed = command.seed;
-  options.scenes_per_kind = command.scenes;
+  if (command.thorough) options.scenes_per_kind = options.searched_scenes;
+  if (command.scenes > 0) options.scenes_per_kind = options.searched_scenes = command.scenes;
   options.jobs =
       command.jobs > 0 ? command.jobs : static_cast<int>(std::thread::hardware_concurrency());
   options.stop = &interrupted();
@@ -80,7 +85,13 @@ ExitCode deliver_all(const ProfileCommand& command, const Profile& profile) {
   if (!command.policy_file.empty() && !deliver(command.policy_file, policy_text(profile)))
     exit = ExitCode::internal;
   for (const SurfaceProfile& surface : profile.surfaces)
-    if (!surface.unavailable.empty()) exit = worse(exit, ExitCode::renderer);
+    if (!surface.unavailable.empty()) {
+      if (is_recording(command.renderer))
+        print_error(
+            "a profile needs a recording of its own scenes: `edgecase web --probes -o "
+            "page.html` makes a page that asks them");
+      exit = worse(exit, ExitCode::renderer);
+    }
   return exit;
 }
 
@@ -89,11 +100,10 @@ ExitCode run_profile(const ProfileCommand& command) {
   suite.paths = {default_suite()};
   const auto policy = command.policy.load(suite);
   if (!policy || !are_known({command.renderer})) return ExitCode::usage;
-  if (is_recording(command.renderer)) {
+  if (is_recording(command.renderer) && command.asks_otherwise) {
     print_error(
-        fmt::format("a profile asks for scenes of its own, which no recording has; measure {} "
-                    "itself",
-                    known_name_of(command.renderer)));
+        "a recording answers what its page asked; leave out --seed, --scenes, --thorough and "
+        "--surface, or measure the renderer itself");
     return ExitCode::usage;
   }
   const RendererOptions renderer{
@@ -128,11 +138,13 @@ void add_profile_command(CLI::App& app, ExitCode& exit) {
       ->required();
   command->add_option("--seed", options->seed, "Number that fixes the random scenes")
       ->capture_default_str();
-  command
-      ->add_option("--scenes", options->scenes,
-                   "Random scenes of each primitive type on each surface")
-      ->check(in_range(100, 10'000'000))
-      ->capture_default_str();
+  CLI::Option* scenes = command->add_option(
+      "--scenes", options->scenes,
+      "Random scenes of each primitive type on each surface (default: 100, and of 20000 those that "
+      "tell alternatives apart)");
+  scenes->check(in_range(100, 10'000'000));
+  command->add_flag("--thorough", options->thorough, "The same as --scenes 20000")
+      ->excludes(scenes);
   add_repeatable(*command, "--surface", options->surfaces,
                  "fbo or window; repeatable (default: both)");
   command->get_option("--surface")->check(CLI::IsMember({"fbo", "window"}));
@@ -157,6 +169,8 @@ void add_profile_command(CLI::App& app, ExitCode& exit) {
   options->project.add_to(*command);
   command->callback([options, command, &exit] {
     options->project.take(*command, options->renderer, {"--policy"});
+    for (const char* name : {"--seed", "--scenes", "--thorough", "--surface"})
+      options->asks_otherwise |= command->get_option(name)->count() > 0;
     exit = run_profile(*options);
   });
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "model/text.h"
+#include "profile/asked_scenes.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/options.h"
 #include "tools/edgecase/output/web_page.h"
@@ -17,6 +18,7 @@ struct WebCommand {
   SelectionOptions selection;
   std::string file;
   std::string show;  // one case
+  bool probes = false;
 };
 
 // Without a selection, the core: a page is for devices that are slow, and people who wait.
@@ -27,6 +29,26 @@ Suite suite_of(const WebCommand& command) {
   if (!command.show.empty()) options.paths = {command.show};
   if (command.show.empty() && !selects) options.suite = "core";
   return load_suite(options.selection());
+}
+
+// What `edgecase profile` asks, as cases.
+CaseStore probes() {
+  CaseStore cases;
+  for (AskedScene& asked : asked_scenes(options_of_pages())) {
+    Case one;
+    one.id = std::move(asked.id);
+    one.scene = std::move(asked.scene);
+    cases.push_back(std::move(one));
+  }
+  return cases;
+}
+
+ExitCode deliver(const WebCommand& command, const std::string& page, std::size_t cases) {
+  if (!write_file(command.file, page)) return ExitCode::internal;
+  fmt::print("{}: {}, {} bytes; open it in any browser\n", command.file,
+             counted(cases, command.probes ? "probe" : "case", command.probes ? "probes" : "cases"),
+             page.size());
+  return ExitCode::as_expected;
 }
 
 std::optional<std::string> page_of(const WebCommand& command, const Suite& suite) {
@@ -42,6 +64,14 @@ std::optional<std::string> page_of(const WebCommand& command, const Suite& suite
 }
 
 ExitCode write_page(const WebCommand& command) {
+  if (command.probes) {
+    const CaseStore cases = probes();
+    return deliver(command,
+                   web_suite_page(cases, fmt::format("Edgecase: {} probes of a profile, on this "
+                                                     "device",
+                                                     grouped(cases.size()))),
+                   cases.size());
+  }
   const Suite suite = suite_of(command);
   print_diagnostics(suite.diagnostics);
   const ExitCode exit = suite.diagnostics.empty() ? ExitCode::as_expected : ExitCode::usage;
@@ -52,10 +82,7 @@ ExitCode write_page(const WebCommand& command) {
   }
   const auto page = page_of(command, suite);
   if (!page) return ExitCode::usage;
-  if (!write_file(command.file, *page)) return worse(exit, ExitCode::internal);
-  fmt::print("{}: {}, {} bytes; open it in any browser\n", command.file,
-             counted(suite.cases.size(), "case", "cases"), page->size());
-  return exit;
+  return worse(exit, deliver(command, *page, suite.cases.size()));
 }
 
 }  // namespace
@@ -68,7 +95,16 @@ void add_web_command(CLI::App& app, ExitCode& exit) {
   command->add_option("-o,--output", options->file, "The page to write")->required();
   command->add_option("--live", options->show,
                       "One case, to be shown beside exact with a magnifier, in place of a suite");
-  command->callback([options, &exit] { exit = write_page(*options); });
+  command->add_flag("--probes", options->probes,
+                    "What profile asks, in place of a suite: profile --against recording:FILE "
+                    "measures what the page hands back");
+  command->callback([options, command, &exit] {
+    for (const CLI::Option* option : command->get_options())
+      if (options->probes && option->count() > 0 && option->get_name() != "--probes" &&
+          option->get_name() != "--output")
+        throw CLI::ExcludesError("--probes", option->get_name());
+    exit = write_page(*options);
+  });
 }
 
 }  // namespace edgecase

@@ -81,7 +81,7 @@ constexpr HelpPage kPages[] = {
      "edgecase web -o page.html\n"
      "edgecase web lines triangles -o page.html\n"
      "edgecase web --live triangles/shared-edges/hole-where-x-is-a-third -o case.html\n"
-     "edgecase run --suite core --against recording:webgl-chromium.rec"},
+     "edgecase web --probes -o probes.html"},
     {"render", kRun,
      "Each case gives its pixels and every fragment, or a picture. Nothing is compared or judged.",
      "012345", kInterrupted,
@@ -116,7 +116,7 @@ constexpr HelpPage kPages[] = {
      "rule it follows. A summary of ten lines is printed; --full prints the evidence and the "
      "counter-examples before it.",
      "01234", "interrupted; nothing was written",
-     "edgecase profile --against egl:llvmpipe --scenes 2000\n"
+     "edgecase profile --against egl:llvmpipe\n"
      "edgecase profile --against egl:device0 --full --policy-file device0.json"},
     {"gallery", kUnderstand,
      "Each policy has a page. It shows each choice that differs from OpenGL's, with its source and "
