@@ -30,7 +30,7 @@ function readNeighbours(one, state) {
 // The case's details cannot be read: what its line in the list knows is shown, and how to see the rest.
 function showFault(one, fault, state) {
   CaseView.close();
-  const result = CaseView.resultFor(one, state.on);
+  const result = CaseView.resultFor(one, state.on || state.renderer);
   for (const other of one.results) other.answer ??= NO_ANSWER;
   Object.assign(CaseView, {one, result});
   replace(byId("app"), caseHead(one, state), h("main.case", {}, caseTop(one, result),

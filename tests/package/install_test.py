@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The installed command, from an empty folder: it finds its suite, policies, profiles, workers and
 image library from its own place."""
-import re
 import unittest
 
 from installed import ROOT, InstalledTest, run
@@ -98,7 +97,7 @@ class Installed(InstalledTest):
                 *(path.read_text(encoding="utf-8")
                   for path in self.prefix.glob("lib*/**/*.cmake"))]
         for text in told:
-            self.assertNotRegex(text, rf"(?<![\w.-]){re.escape(str(ROOT))}\b")
+            self.assertNotIn(str(ROOT), text)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ from support import (AS_EXPECTED, RENDERER, ROOT, SUITE, UNEXPECTED, USAGE, Comm
                      triangle_case, verdicts)
 
 PROFILES = ROOT / "cases" / "profiles"
-FEW = ()  # the default: few scenes, and those that tell
+FEW = ("--scenes", "600")
 FEWEST = ("--scenes", "100" if IS_QUICK else "200")
 
 
