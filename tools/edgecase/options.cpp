@@ -177,7 +177,11 @@ void print_no_rule(const std::string& id) {
 
 void add_repeatable(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                     const std::string& description) {
-  command.add_option(name, values, description)->allow_extra_args(false);
+  // One value each time, so that CLI11 does not read the glob "[ab]" as a list in brackets.
+  command.add_option(name, values, description)
+      ->allow_extra_args(false)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void SelectionOptions::add_to(CLI::App& command, bool with_shard) {
