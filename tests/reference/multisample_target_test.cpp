@@ -11,23 +11,32 @@
 namespace edgecase {
 namespace {
 
+using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-class MultisampleTargetTest : public MultisampleTest {};
+class MultisampleTargetTest : public MultisampleTest {
+ protected:
+  // True if Mesa's drivers that make 4 samples make 8, too.
+  static bool make_eight() { return is_mesa("26."); }
+};
 
 TEST_P(MultisampleTargetTest, EveryPlaceHasTheSamplesThatItIsKnownToHave) {
   drawn(sampled(2, 2));
   if (name().starts_with("egl:device")) return;
-  EXPECT_EQ(renderer().info().traits.at("samples"), has_samples() ? "4" : "none");
+  EXPECT_EQ(renderer().info().traits.at("samples"), !has_samples() ? "none"
+                                                    : make_eight() ? "4 8"
+                                                                   : "4");
 }
 
 TEST_P(MultisampleTargetTest, AnotherNumberOfSamplesIsRefused) {
   if (!has_samples() || name().starts_with("egl:device")) return;
   for (int samples : {2, 3, 8, 16}) {
+    if (samples == 8 && make_eight()) continue;
     Scene scene = blank(8, 8);
     scene.target.samples = samples;
-    EXPECT_EQ(refusal_of(scene),
-              "asked for " + std::to_string(samples) + " samples, this driver makes 4");
+    EXPECT_EQ(refusal_of(scene), "asked for " + std::to_string(samples) +
+                                     " samples, this driver makes " +
+                                     (make_eight() ? "4, 8" : "4"));
   }
 }
 
@@ -38,8 +47,13 @@ TEST_P(MultisampleTargetTest, WhatCannotBeHadIsRefusedWithAReason) {
   if (!has_samples() || name().starts_with("egl:device")) return;
   Scene placed = sampled(4, 4);
   placed.target.sample_positions.assign(4, centre_of_pixel());
-  EXPECT_EQ(refusal_of(placed),
-            "samples cannot be placed on this driver: it lacks GL_ARB_sample_locations");
+  // Mesa 26's llvmpipe has the extension, and its samples are found elsewhere.
+  if (!is_mesa("26."))
+    EXPECT_EQ(refusal_of(placed),
+              "samples cannot be placed on this driver: it lacks GL_ARB_sample_locations");
+  else
+    EXPECT_THAT(refusal_of(placed), ::testing::AnyOf(HasSubstr("samples cannot be placed"),
+                                                     HasSubstr("does not place the samples")));
   Scene line = sampled(4, 4);
   line.draws = {make_draw(Primitive::lines, {{0, 0}, {1024, 1024}})};
   line.draws[0].line_width = Fixed::from_raw(Fixed::kOne / 2);

@@ -33,15 +33,31 @@ inline ProcessRenderer& shared_renderer(const std::string& name) {
   return *renderer;
 }
 
+// True if Mesa's release begins like this: "26." of "4.5 (Core Profile) Mesa 26.2.6-1".
+inline bool is_mesa(const std::string& release) {
+  ProcessRenderer& softpipe = shared_renderer("egl:softpipe");
+  render_outcome(softpipe, blank_scene(1, 1));
+  return softpipe.info().version.find("Mesa " + release) != std::string::npos;
+}
+
+// True if a system has no such renderer, and no fault is to blame: it lacks the library, or its
+// zink refuses SwiftShader.
+inline bool is_lacking(const std::string& renderer, const Failure& failure) {
+  const auto says = [&](const char* text) {
+    return failure.reason.find(text) != std::string::npos;
+  };
+  return says("cannot be opened") ||
+         (renderer == "egl:zink-swiftshader" && is_mesa("26.") && says("cannot be initialised"));
+}
+
 class OpenGlTest : public ::testing::TestWithParam<std::tuple<std::string, Surface>> {
  protected:
-  // A system without the library skips; a library that does not work is a failure.
+  // A system that lacks it skips; one that does not work is a failure.
   void SetUp() override {
     const Outcome outcome = render_outcome(renderer(), blank(1, 1));
     const auto* failure = std::get_if<Failure>(&outcome);
     if (failure == nullptr) return;
-    if (failure->reason.find("cannot be opened") != std::string::npos)
-      GTEST_SKIP() << failure->reason;
+    if (is_lacking(name(), *failure)) GTEST_SKIP() << failure->reason;
     FAIL() << failure->reason;
   }
 

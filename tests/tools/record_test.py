@@ -14,7 +14,8 @@ from support import (AS_EXPECTED, EDGECASE, INTERNAL, NOTHING_SELECTED, PATIENCE
                      UNEXPECTED, USAGE, CommandTest, environment, only_result, triangle_case)
 # Some cases that both renderers draw as nothing allows, and some that they do not draw.
 REMARKABLE = {pathlib.Path(SUITE, f"{name}.json")
-              for name in ("lines/strips/diagonal-joint", "samples/counts/eight-lines")}
+              for name in ("lines/strips/diagonal-joint", "samples/counts/eight-lines",
+                           "samples/counts/any-number")}
 
 
 def renamed(text, recording, renderer):
