@@ -27,6 +27,7 @@ struct RendererFacts {
   const ResolvedPolicy* profile = nullptr;  // the policy it is measured to follow; null: unknown
   SupportedSizes sizes = {};                // supported sizes of points and multisampled lines
   LookupLimits lookups = {};                // limits on levels of detail
+  bool likely_first = true;                 // look for causes in the profile first
 };
 
 // Reads the facts that a renderer states. `profile` must outlive the result.

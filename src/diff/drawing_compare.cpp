@@ -81,7 +81,7 @@ Result compare_drawing(const Drawing& drawing, const AlternativeSet& refuted, Co
   Result result;
   result.refuted = refuted;
   compare_coverage({scene, primitives, coverage, choices, profile, policy.latitude(), bits, true,
-                    rendered.sample_positions, facts.sizes},
+                    rendered.sample_positions, facts.sizes, facts.likely_first},
                    result);
   if (compared == Compared::all) {
     ValueContext values(scene, primitives, choices, bits, policy.latitude(),

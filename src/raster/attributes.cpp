@@ -62,9 +62,10 @@ QuadPixel quad_of(PixelPosition pixel, const ValueChoice& choice, const Target& 
   return in_quad(pixel, choice.quad_rows, target.height);
 }
 
-PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleChoices& choices,
-                                  const Target& target) {
-  const VertexAttributes vertices(primitive, choices, target);
+namespace {
+
+PrimitiveAttributes attributes_at(const VertexAttributes& vertices, const ScenePrimitive& primitive,
+                                  const RuleChoices& choices, const Target& target) {
   const Draw& draw = *primitive.state;
   const bool perspective = divides_by_w(draw.interpolation, choices.values.perspective);
   PrimitiveAttributes result;
@@ -81,6 +82,13 @@ PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleCho
   return result;
 }
 
+}  // namespace
+
+PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleChoices& choices,
+                                  const Target& target) {
+  return attributes_at({primitive, choices, target}, primitive, choices, target);
+}
+
 bool are_constant(const PrimitiveAttributes& attributes) {
   return is_constant(attributes.depth) && std::ranges::all_of(attributes.color, is_constant);
 }
@@ -90,18 +98,17 @@ Interpolant depth_without_offset(const ScenePrimitive& primitive, const RuleChoi
   return VertexAttributes(primitive, choices, target).depth();
 }
 
-Interpolant permitted_depth(const ScenePrimitive& primitive, const RuleChoices& choices,
-                            const Target& target, double reach, Interval fixed_unit) {
+PermittedAttributes permitted_attributes_of(const ScenePrimitive& primitive,
+                                            const RuleChoices& choices, const Target& target,
+                                            double reach, Interval fixed_unit) {
   const VertexAttributes vertices(primitive, choices, target);
-  if (!has_polygon_offset(primitive)) return vertices.permitted_depth();
-  return plus(vertices.permitted_depth(),
-              offset_permitted(*primitive.state->polygon_offset, vertices.depth(), target.depth,
-                               reach, fixed_unit));
-}
-
-Interpolant permitted_inverse_w(const ScenePrimitive& primitive, const RuleChoices& choices,
-                                const Target& target) {
-  return VertexAttributes(primitive, choices, target).permitted_inverse_w();
+  PermittedAttributes result{attributes_at(vertices, primitive, choices, target),
+                             vertices.permitted_depth(), vertices.permitted_inverse_w()};
+  if (has_polygon_offset(primitive))
+    result.depth =
+        plus(result.depth, offset_permitted(*primitive.state->polygon_offset, vertices.depth(),
+                                            target.depth, reach, fixed_unit));
+  return result;
 }
 
 Interval clamped_depth(const PrimitiveAttributes& attributes, Interval interpolated) {

@@ -94,14 +94,17 @@ PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleCho
 Interpolant depth_without_offset(const ScenePrimitive& primitive, const RuleChoices& choices,
                                  const Target& target);
 
-// PrimitiveAttributes::depth, widened by the permitted error of the vertices' depths
-// (VertexAttributes::permitted_depth) and by every polygon offset that is permitted besides the
-// chosen one. `reach` and `fixed_unit` are those of offset_permitted.
-Interpolant permitted_depth(const ScenePrimitive& primitive, const RuleChoices& choices,
-                            const Target& target, double reach, Interval fixed_unit);
-// The same for PrimitiveAttributes::inverse_w.
-Interpolant permitted_inverse_w(const ScenePrimitive& primitive, const RuleChoices& choices,
-                                const Target& target);
+// Attributes, and the depth and 1/w widened by what is permitted: the error of the vertices' own
+// (VertexAttributes) and, for the depth, every polygon offset besides the chosen one. `reach` and
+// `fixed_unit` are those of offset_permitted.
+struct PermittedAttributes {
+  PrimitiveAttributes chosen;
+  Interpolant depth;
+  Interpolant inverse_w;
+};
+PermittedAttributes permitted_attributes_of(const ScenePrimitive& primitive,
+                                            const RuleChoices& choices, const Target& target,
+                                            double reach, Interval fixed_unit);
 
 // The pixel and its place in its 2x2 quad.
 QuadPixel quad_of(PixelPosition pixel, const ValueChoice& choice, const Target& target);

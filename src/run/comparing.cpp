@@ -29,6 +29,7 @@ ExactSide::ExactSide(Rendering drawn)
 CaseComparison::CaseComparison(std::size_t count, const RunOptions& options)
     : policy_(options.policy),
       profiles_(options.profiles),
+      likely_first_(options.likely_first),
       made_(std::make_unique<std::once_flag[]>(count)),
       exact_(count) {}
 
@@ -43,7 +44,8 @@ Result CaseComparison::compare_outcome(std::size_t index, const Case& one, Outco
                                        const RendererInfo& info) {
   if (auto* failure = std::get_if<Failure>(&outcome)) return not_run(std::move(*failure));
   const auto& rendering = std::get<Rendering>(outcome);
-  const RendererFacts facts = facts_of(info, profiles_of(profiles_, info.name).resolved(info));
+  RendererFacts facts = facts_of(info, profiles_of(profiles_, info.name).resolved(info));
+  facts.likely_first = likely_first_;
   Result result = compare_with_exact(index, one.scene, rendering, facts);
   if (std::ranges::find(one.tags, kRampTag) != one.tags.end())
     result.ramp = level_ramp(one.scene, policy_, rendering, facts);

@@ -47,6 +47,7 @@ class CaseComparison {
 
   const ResolvedPolicy policy_;
   const Profiles profiles_;
+  const bool likely_first_;
   std::unique_ptr<std::once_flag[]> made_;
   std::vector<std::unique_ptr<const ExactSide>> exact_;  // by case; null: not made, or freed
 };

@@ -39,6 +39,9 @@ struct RunOptions {
   std::size_t max_unexpected = 0;
   std::vector<KnownFaults> known;
   Durations* durations = nullptr;  // filled, where it is set
+  // Look for a difference's causes among what the renderer's profile has before all others: the
+  // same results, sooner.
+  bool likely_first = true;
 };
 
 // Runs and judges. Renderer names must be known. Cases that were left out when the run ended early

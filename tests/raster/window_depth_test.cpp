@@ -236,7 +236,8 @@ TEST(WindowDepth, PermittedOffsetsHoldAllOpenChoices) {
   scene.draws[0].polygon_offset = PolygonOffset{1, 100, 0};
   const ScenePrimitive primitive = primitives_of(scene)[0];
   const Interpolant permitted =
-      permitted_depth(primitive, {}, scene.target, 1.0 / 256, {0x1p-24, 2 / (0x1p24 - 1)});
+      permitted_attributes_of(primitive, {}, scene.target, 1.0 / 256, {0x1p-24, 2 / (0x1p24 - 1)})
+          .depth;
   for (OffsetSlope slope : {OffsetSlope::length, OffsetSlope::largest_partial})
     for (OffsetUnit unit : {OffsetUnit::step, OffsetUnit::power, OffsetUnit::two_steps}) {
       RuleChoices choices;
@@ -250,14 +251,15 @@ TEST(WindowDepth, PermittedOffsetsHoldAllOpenChoices) {
   // The slope's length is 0.1, its larger component 0.078.
   EXPECT_LT(permitted.values[0].high - permitted.values[0].low, 0.03);
   scene.draws[0].polygon_offset.reset();
-  const Interpolant none = permitted_depth(primitives_of(scene)[0], {}, scene.target, 0, 0);
+  const Interpolant none =
+      permitted_attributes_of(primitives_of(scene)[0], {}, scene.target, 0, 0).depth;
   EXPECT_TRUE(is_number(none.values[0], 0.375));
   // With a depth range of its own, all that two operations on the sum and on the difference of its
   // ends, the scaling and the addition may be off by, 1 part in 10^5 each:
   // 2 (2 * 0.4375 + 3 * 0.046875 + 0.390625) / 10^5.
   scene.depth_range = {0.25F, 0.625F};
   const Interval ranged =
-      permitted_depth(primitives_of(scene)[0], {}, scene.target, 0, 0).values[0];
+      permitted_attributes_of(primitives_of(scene)[0], {}, scene.target, 0, 0).depth.values[0];
   EXPECT_LT(ranged.low, 0.390625);
   EXPECT_GT(ranged.high, 0.390625);
   EXPECT_LT(ranged.high - ranged.low, 2.813e-5);

@@ -53,8 +53,32 @@ class Bench(CommandTest):
         self.assertIn("where time goes", run.stdout)
         stages, = json.loads((self.folder / "bench.json").read_text(encoding="utf-8"))["stages"]
         self.assertGreater(stages["cases"], 10)
-        self.assertEqual(len(stages["seconds"]), 6)
-        self.assertTrue(all(seconds > 0 for seconds in stages["seconds"].values()), stages)
+        self.assertEqual(len(stages["us_a_case"]), 6)
+        self.assertTrue(all(time > 0 for time in stages["us_a_case"].values()), stages)
+        (subject,) = stages["subjects"]
+        self.assertEqual((subject["name"], subject["cases"]), ("coverage", stages["cases"]))
+        self.assertEqual(sorted(subject["us_a_case"]), ["compare", "exact", "worker"])
+
+    def test_one_is_held_against_another(self):
+        words = ["bench", f"{SUITE}/triangles/ties", f"{SUITE}/samples/counts", "--against",
+                 RENDERER, *QUICK, "--part", "stages", "--json", "bench.json"]
+        self.command(*words)
+        path = self.folder / "bench.json"
+        other = json.loads(path.read_text(encoding="utf-8"))
+        stages = other["stages"][0]
+        self.assertEqual([one["name"] for one in stages["subjects"]], ["coverage", "samples"])
+        stages["us_a_case"]["judge"] = 1e9
+        stages["subjects"][0]["us_a_case"]["exact"] = 1e9
+        del stages["us_a_case"]["write results"]
+        self.write("other.json", json.dumps(other))
+        out = self.command(*words, "--compare", "other.json").stdout
+        for path in ("judge", "subjects / coverage / exact"):
+            self.assertRegex(out, rf"1e\+09 +0\.00x  stages / {RENDERER} / {path}\n")
+        self.assertIn(f"stages / {RENDERER} / subjects / samples / compare\n", out)
+        self.assertNotIn("/ write results\n", out)
+        self.write("none.json", "[]")
+        run = self.command(*words, "--compare", "none.json", expect=USAGE)
+        self.assertIn("none.json: it is no file that `edgecase bench --json` wrote", run.stderr)
 
     def test_only_our_own_workers_are_timed(self):
         run = self.command("bench", "--against", "exact", *QUICK, "--part", "scenes")

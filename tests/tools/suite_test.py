@@ -63,6 +63,14 @@ class WholeSuite(CommandTest):
         for name, path in single.items():
             self.assertTrue(path.read_bytes() == several[name].read_bytes(), f"{name} differs")
 
+    def test_causes_are_the_same_whichever_are_asked_first(self):
+        """Those that the profile has are asked first; --ask-all asks all."""
+        for name, words in (("first", []), ("all", ["--ask-all"])):
+            self.command("run", *PROBES, *shard(), "--against", "egl:llvmpipe", *UNHURRIED, *words,
+                         "--json", self.folder / f"{name}.json")
+        self.assertEqual((self.folder / "first.json").read_bytes(),
+                         (self.folder / "all.json").read_bytes())
+
     def test_each_is_judged_alone(self):
         path = self.folder / "alone.json"
         self.command("run", *PROBES, *shard(), "--against", "egl:softpipe", *UNHURRIED, "--json",

@@ -55,6 +55,7 @@ struct JudgedRun {
   bool strict = false;               // what is contested is unexpected, too
   std::optional<MergePart> earlier;  // a run to go on with (run/merge.h)
   Durations* durations = nullptr;    // RunOptions has it
+  bool likely_first = true;          // RunOptions has it
 };
 
 // The same, with the known faults applied. Says on standard error where not all unexpected answers

@@ -78,23 +78,47 @@ class Search {
   }
 
   // All sets of one alternative. If none of them is an answer, also sets of two: all of them if
-  // there is none of one, else only open ones.
+  // there is none of one, else only open ones. Sets that lie in the profile come alone (preferred),
+  // so they are asked first.
   std::vector<Changes> beside(const Changes& base) const {
     std::vector<Changes> rules = coverage_changes(
         coverage_traits(question_.primitive, question_.target), applied(base, question_.chosen));
-    std::vector<Changes> found;
-    for (const Changes& rule : rules)
-      for (const Change& change : rule) keep_if_it_reproduces(with(base, change), found);
+    const bool likely_first = question_.likely_first && base.empty();
+    if (likely_first)
+      if (auto likely = singles(base, in_profile(rules)); !likely.empty()) return likely;
+    std::vector<Changes> found = singles(base, rules);
     if (has_answer(found)) return found;
     if (!found.empty())
       for (Changes& rule : rules)
         std::erase_if(rule, [](const Change& change) { return !is_open_choice(change.id); });
+    if (likely_first)
+      if (auto likely = pairs(base, in_profile(rules)); !likely.empty()) return likely;
+    for (Changes& pair : pairs(base, rules)) found.push_back(std::move(pair));
+    return found;
+  }
+
+  std::vector<Changes> singles(const Changes& base, const std::vector<Changes>& rules) const {
+    std::vector<Changes> found;
+    for (const Changes& rule : rules)
+      for (const Change& change : rule) keep_if_it_reproduces(with(base, change), found);
+    return found;
+  }
+
+  std::vector<Changes> pairs(const Changes& base, const std::vector<Changes>& rules) const {
+    std::vector<Changes> found;
     for (std::size_t i = 0; i < rules.size(); ++i)
       for (std::size_t j = i + 1; j < rules.size(); ++j)
         for (const Change& first : rules[i])
           for (const Change& second : rules[j])
             keep_if_it_reproduces(with(with(base, first), second), found);
     return found;
+  }
+
+  // The alternatives that the profile has.
+  std::vector<Changes> in_profile(std::vector<Changes> rules) const {
+    for (Changes& rule : rules)
+      std::erase_if(rule, [&](const Change& change) { return !in_profile({change}); });
+    return rules;
   }
 
   // The profile's differences, with more if needed, without those that can be left out.

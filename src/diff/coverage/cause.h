@@ -24,6 +24,8 @@ struct CauseQuestion {
   const RuleChoices& chosen;
   const RuleChoices* profile = nullptr;
   SamplePositions reported{};  // sample positions as the renderer reports them
+  // Ask the profile's alternatives before others: the same causes, found sooner.
+  bool likely_first = true;
 };
 
 // The smallest sets of alternatives under which the primitive covers exactly `coverage.drawn`, in

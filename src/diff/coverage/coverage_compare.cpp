@@ -57,7 +57,8 @@ class CoverageComparison {
     return context_.primitives[static_cast<std::size_t>(index)];
   }
   CauseQuestion question_about(const ScenePrimitive& primitive) const {
-    return {primitive, target(), context_.choices, context_.profile, context_.reported};
+    return {primitive,        target(),          context_.choices,
+            context_.profile, context_.reported, context_.likely_first};
   }
   bool is_multisampled(const ScenePrimitive& primitive) const {
     return edgecase::is_multisampled(*primitive.state, target());
@@ -226,8 +227,8 @@ class CoverageComparison {
   const Cause& cause_of_excused(const ScenePrimitive& primitive) {
     const auto [place, is_new] = excused_causes_.try_emplace(primitive.index);
     if (!is_new) return place->second;
-    const CauseQuestion question{primitive, target(), standard_, &context_.choices,
-                                 context_.reported};
+    const CauseQuestion question{primitive,         target(),          standard_,
+                                 &context_.choices, context_.reported, context_.likely_first};
     place->second = cause_in_profile(question, coverage_of(primitive));
     if (!place->second.empty()) return place->second;
     const auto causes = find_causes(question, coverage_of(primitive));

@@ -31,6 +31,7 @@ struct CoverageContext {
   bool refute = true;          // gather evidence against alternatives: the larger part of the cost
   SamplePositions reported{};  // sample positions as the renderer reports them
   SupportedSizes sizes{};      // of points and multisampled lines
+  bool likely_first = true;    // as in CauseQuestion
 };
 
 // Appends disagreements and evidence to `result`, and fills illegal_line_snaps and refuted.

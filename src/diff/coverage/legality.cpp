@@ -42,23 +42,26 @@ std::vector<PixelPosition> fragments_of_rule(const Segment& segment, const Pixel
   return found_line_pixels(segment, Fixed::from_integer(1), bounds, choice);
 }
 
-// The terms by which a line is judged: its permitted widths, and the pixels that are tested.
+// The terms by which a line is judged: its permitted widths, the pixels that are tested, and what
+// is the same under every snap.
 struct LineTerms {
   std::vector<int> widths;
   PixelBounds bounds;
+  EndErrors errors;
 };
 
 // The nearest integers to the width: two for a half, since 14.5.2.2 does not decide ties.
 LineTerms terms_of(const ScenePrimitive& line, const Scene& scene) {
   const Fixed width = line.state->line_width;
-  LineTerms terms{{rounded_width(width)}, drawable_bounds(*line.state, scene.target)};
+  LineTerms terms{
+      {rounded_width(width)}, drawable_bounds(*line.state, scene.target), end_errors(line)};
   const bool is_half = width.raw() % Fixed::kOne == Fixed::kOne / 2;
   if (is_half && terms.widths[0] > 1) terms.widths.push_back(terms.widths[0] - 1);
   return terms;
 }
 
 SeenLine seen_line(const ScenePrimitive& line, Snap snap, const LineTerms& terms) {
-  const auto [segment, reach] = snapped_segment(line, snap);
+  const auto [segment, reach] = snapped_segment(line, snap, terms.errors);
   return {segment, terms.widths[0], terms.bounds, reach, fragments_of_rule};
 }
 
@@ -366,12 +369,14 @@ int contested_ruling_on_line(const ScenePrimitive& line, std::span<const PixelPo
   const PixelBounds viewport = common_part(terms.bounds, pixels_in(line.viewport));
   const bool is_inside =
       std::ranges::all_of(drawn, [&](PixelPosition pixel) { return viewport.contains(pixel); });
-  if (viewport != terms.bounds && is_inside && holds_under_more({terms.widths, viewport}))
+  if (viewport != terms.bounds && is_inside &&
+      holds_under_more({terms.widths, viewport, terms.errors}))
     return kRulingOnViewport;
   const Fixed width = line.state->line_width;
   const int smaller = static_cast<int>(width.floor());
   const bool is_smaller = smaller >= 1 && smaller < terms.widths.back();
-  if (is_smaller && holds_under_more({{smaller}, terms.bounds})) return kRulingOnSmallerWidth;
+  if (is_smaller && holds_under_more({{smaller}, terms.bounds, terms.errors}))
+    return kRulingOnSmallerWidth;
   return 0;
 }
 

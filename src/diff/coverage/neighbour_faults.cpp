@@ -95,7 +95,7 @@ std::string broken_clause(const Chain& chain, std::span<const ScenePrimitive> pr
   Fixed reach;
   bool some_without_length = false;
   for (std::size_t i : chain) {
-    const LooseSegment loose = snapped_segment(primitives[i], snap);
+    const LooseSegment loose = snapped_segment(primitives[i], snap, end_errors(primitives[i]));
     const Segment& segment = loose.segment;
     const bool is_end = i == chain.front() || i == chain.back();
     if (is_end && segment.a == segment.b) return "";

@@ -141,12 +141,16 @@ LoosePolygon loose_polygon(const ScenePrimitive& triangle, int bits) {
   return polygon;
 }
 
-LooseSegment snapped_segment(const ScenePrimitive& line, Snap snap) {
+EndErrors end_errors(const ScenePrimitive& line) {
+  return {error_of_vertex(line, 0), error_of_vertex(line, 1)};
+}
+
+LooseSegment snapped_segment(const ScenePrimitive& line, Snap snap, const EndErrors& errors) {
   LooseSegment result{{snap(line.positions[0]), snap(line.positions[1])}, {}};
   const Point* ends[] = {&result.segment.a, &result.segment.b};
   for (std::size_t i = 0; i < 2; ++i) {
     const Point nearest = nearest_point(line.positions[i]);
-    const Fixed error = error_of_vertex(line, i);
+    const Fixed error = errors[i];
     if (error == Fixed()) continue;
     result.reach = std::max({result.reach, snapped_error(snap, ends[i]->x, nearest.x, error),
                              snapped_error(snap, ends[i]->y, nearest.y, error)});

@@ -62,8 +62,12 @@ Fixed reach_of(const ScenePrimitive& primitive, int bits);
 // The visible part of a clipped triangle, and how it may move (ruling 42).
 LoosePolygon loose_polygon(const ScenePrimitive& triangle, int bits);
 
+// How far each end of a line may be from where it is, pixels: by division, and by clipping.
+using EndErrors = std::array<Fixed, 2>;
+EndErrors end_errors(const ScenePrimitive& line);
+
 // A line whose exact ends are snapped, and how far from there erring ends may be snapped.
-LooseSegment snapped_segment(const ScenePrimitive& line, Snap snap);
+LooseSegment snapped_segment(const ScenePrimitive& line, Snap snap, const EndErrors& errors);
 
 // True if two vertices have the same numbers, so that whatever happens to one happens to the other.
 bool is_bit_identical(const Vertex& a, const Vertex& b);

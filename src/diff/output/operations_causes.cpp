@@ -94,32 +94,18 @@ double step_at(double depth, DepthFormat format) {
   return bits == 0 ? float_ulp(depth) : 1 / (std::ldexp(1.0, bits) - 1);
 }
 
-// The changes of one rule, if it concerns the scene's per-fragment operations.
-Changes changes_of(RuleId rule, const Scene& scene, const RuleChoices& chosen) {
-  Changes changes = operations_changes(scene, chosen);
-  std::erase_if(changes, [&](const Change& change) { return change.id.rule != rule; });
-  return changes;
-}
-
 ValueAggregate::Place question_place(const OperationsQuestion& question) {
   return {question.pixel.x, question.pixel.y, -1};
 }
 
 }  // namespace
 
-OperationsAggregates::OperationsAggregates(const Scene& scene, const RuleChoices& chosen)
-    : scene_(scene),
-      chosen_(chosen),
-      blended_{
-          "pixel", RuleId::blend_rounding, changes_of(RuleId::blend_rounding, scene, chosen), {}},
-      depth_tests_{
-          "depth test", RuleId::depth_test, changes_of(RuleId::depth_test, scene, chosen), {}},
-      facings_{
-          "facing", RuleId::polygon_facing, changes_of(RuleId::polygon_facing, scene, chosen), {}},
-      alphas_{"written samples",
-              RuleId::sample_alpha_to_coverage,
-              changes_of(RuleId::sample_alpha_to_coverage, scene, chosen),
-              {}} {}
+OperationsAggregates::OperationsAggregates(const Scene& scene, const RuleChoices& chosen) {
+  for (const Change& change : operations_changes(scene, chosen))
+    for (Part* part : {&blended_, &depth_tests_, &facings_, &alphas_})
+      if (part->rule == change.id.rule)
+        part->followed.push_back({change.id, change.applied_to(chosen)});
+}
 
 void OperationsAggregates::count(const StoredSample& stored) {
   ++samples_;
@@ -144,15 +130,14 @@ void OperationsAggregates::add(const OperationsQuestion& question, OperationsRea
     return;
   }
   Part& part = part_for(reason);
-  std::erase_if(part.followed, [&](const Change& change) {
-    return !question.agrees(change.applied_to(chosen_), {});
-  });
+  std::erase_if(part.followed,
+                [&](const Followed& followed) { return !question.agrees(followed.choice, {}); });
   add_outcome(question, exact, part);
 }
 
 void OperationsAggregates::follow_roundings(const OperationsQuestion& question) {
-  std::erase_if(blended_.followed, [&](const Change& change) {
-    return !has_color(question.exact(change.applied_to(chosen_)), question.stored);
+  std::erase_if(blended_.followed, [&](const Followed& followed) {
+    return !has_color(question.exact(followed.choice), question.stored);
   });
 }
 

@@ -64,10 +64,15 @@ class OperationsAggregates {
     ValueAggregate::Place place;
     std::vector<ValueAggregator::Error> errors;
   };
+  // An alternative that yields everything so far.
+  struct Followed {
+    AlternativeId id;
+    RuleChoices choice;
+  };
   struct Part {
     const char* attribute;
     RuleId rule;
-    Changes followed;  // alternatives that yield everything so far
+    std::vector<Followed> followed;
     std::vector<Place> places;
   };
 
@@ -78,17 +83,15 @@ class OperationsAggregates {
   void follow_roundings(const OperationsQuestion& question);
   void flush(const Part& part, std::size_t compared, std::size_t components, Result& result) const;
 
-  const Scene& scene_;
-  const RuleChoices& chosen_;
   std::size_t colors_ = 0;
   std::size_t depths_ = 0;
   std::size_t samples_ = 0;
   Part converted_{"pixel", RuleId::framebuffer_unorm8, {}, {}};
-  Part blended_;
+  Part blended_{"pixel", RuleId::blend_rounding, {}, {}};
   Part stored_depths_{"depth buffer", RuleId::framebuffer_depth, {}, {}};
-  Part depth_tests_;
-  Part facings_;
-  Part alphas_;
+  Part depth_tests_{"depth test", RuleId::depth_test, {}, {}};
+  Part facings_{"facing", RuleId::polygon_facing, {}, {}};
+  Part alphas_{"written samples", RuleId::sample_alpha_to_coverage, {}, {}};
 };
 
 }  // namespace edgecase

@@ -12,7 +12,9 @@
 namespace edgecase {
 
 SampleState OperationsQuestion::exact(const RuleChoices& choice) const {
-  return Replay(target(), choice.output, {}).run(arrivals(choice)).front();
+  return Replay(target(), choice.output, {}, Tracked::exact)
+      .run(arrivals(choice, Tracked::exact))
+      .front();
 }
 
 std::vector<SampleState> OperationsQuestion::states(const RuleChoices& choice,

@@ -33,10 +33,12 @@ class OperationsQuestion {
 
   const Target& target() const { return context_.scene.target; }
   std::span<const Fragment> fragments() const { return fragments_; }
-  std::vector<Arrival> arrivals(const RuleChoices& choice) const {
-    return arrivals_.at(fragments_, sample, choice);
+  // Valid until the next question's.
+  const std::vector<Arrival>& arrivals(const RuleChoices& choice,
+                                       Tracked tracked = Tracked::permitted) const {
+    return arrivals_.at(fragments_, sample, choice, tracked);
   }
-  // What exact stores for the renderer's own fragments.
+  // What exact stores for the renderer's own fragments, without what is permitted.
   SampleState exact(const RuleChoices& choice) const;
   std::vector<SampleState> states(const RuleChoices& choice, OperationsFreedom freedom) const;
   // True if one of the states that these outcomes lead to agrees.

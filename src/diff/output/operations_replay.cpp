@@ -68,26 +68,36 @@ SampleState Replay::cleared() const {
   for (std::size_t c = 0; c < 4; ++c) {
     const auto component = static_cast<double>(target_.clear[c]);
     state.color[c] = to_unorm8(component);
-    state.permitted_color[c] = unorm8_permitted(component);
+    if (tracked_ == Tracked::permitted) state.permitted_color[c] = unorm8_permitted(component);
   }
   const auto depth = static_cast<double>(target_.clear_depth);
   state.depth = to_depth(depth, target_.depth);
-  state.permitted_depth = depth_permitted(depth, target_.depth);
+  if (tracked_ == Tracked::permitted) state.permitted_depth = depth_permitted(depth, target_.depth);
   state.stencil = target_.clear_stencil;
   return state;
 }
 
 std::vector<SampleState> Replay::run(std::span<const Arrival> arrivals) const {
   std::vector<SampleState> states{cleared()};
-  for (const Arrival& arrival : arrivals) states = after(states, arrival);
+  std::vector<SampleState> next;
+  for (const Arrival& arrival : arrivals) step(states, arrival, next);
   return states;
 }
 
-std::vector<SampleState> Replay::after(const std::vector<SampleState>& states,
+std::vector<SampleState> Replay::after(std::vector<SampleState> states,
                                        const Arrival& arrival) const {
   std::vector<SampleState> next;
+  step(states, arrival, next);
+  return states;
+}
+
+// `next`: memory that is used again from step to step.
+void Replay::step(std::vector<SampleState>& states, const Arrival& arrival,
+                  std::vector<SampleState>& next) const {
+  next.clear();
   for (const SampleState& state : states) add_after(state, arrival, next);
-  return next.size() > kMostStates ? merged(next) : next;
+  if (next.size() > kMostStates) next = merged(next);
+  std::swap(states, next);
 }
 
 void Replay::add_after(const SampleState& state, const Arrival& arrival,
@@ -122,8 +132,17 @@ void Replay::add_tested(const SampleState& state, const Arrival& arrival, bool f
   const Outcomes depth = depth_outcomes(state, arrival);
   if (depth.fail) with(state, &StencilFace::depth_fail, OperationsStep::depth_failed);
   if (!depth.pass) return;
-  for (SampleState& reached : written_depths(written(state, arrival), arrival))
+  SampleState reached = written(state, arrival);
+  if (has_either_depth(reached, arrival)) {
+    SampleState other = reached;
+    reached.depth = reached.permitted_depth.low;
+    other.depth = other.permitted_depth.high;
+    reached.permitted_depth = reached.depth;
+    other.permitted_depth = other.depth;
     with(std::move(reached), &StencilFace::pass, OperationsStep::passed);
+    reached = std::move(other);
+  }
+  with(std::move(reached), &StencilFace::pass, OperationsStep::passed);
 }
 
 Replay::Outcomes Replay::stencil_outcomes(const SampleState& state, const StencilFace& face) const {
@@ -157,36 +176,36 @@ Replay::Outcomes Replay::depth_outcomes(const SampleState& state, const Arrival&
 
 // If depths are compared unconverted, it matters which of two neighbouring values was stored for a
 // depth: each has a state of its own.
-std::vector<SampleState> Replay::written_depths(SampleState state, const Arrival& arrival) const {
-  const auto [low, high] = state.permitted_depth;
+bool Replay::has_either_depth(const SampleState& state, const Arrival& arrival) const {
   const bool is_own = state.source && state.source == arrival.reported_depth;
-  if (!compares_unconverted() || !is_own || low == high) return {std::move(state)};
-  std::vector<SampleState> states(2, state);
-  states[0].depth = low;
-  states[0].permitted_depth = low;
-  states[1].depth = high;
-  states[1].permitted_depth = high;
-  return states;
+  return compares_unconverted() && is_own &&
+         state.permitted_depth.low != state.permitted_depth.high;
+}
+
+void Replay::set_permitted_color(const Arrival& arrival, SampleState& state) const {
+  if (output_.blend.method != BlendMethod::as_set) {
+    // For another equation, only its own result is known to be possible.
+    for (std::size_t c = 0; c < 4; ++c) state.permitted_color[c] = {state.color[c], state.color[c]};
+    return;
+  }
+  FragmentOperations operations = *arrival.operations;
+  if (output_.blend.mask == ColorMaskMethod::ignored) operations.color_mask.fill(true);
+  state.permitted_color =
+      permitted_color(operations, arrival.permitted_color, state.permitted_color);
 }
 
 SampleState Replay::written(SampleState state, const Arrival& arrival) const {
-  FragmentOperations operations = *arrival.operations;
-  const Rgba8 before = state.color;
-  state.color = written_color(operations, arrival.color, before, output_.blend);
-  if (output_.blend.mask == ColorMaskMethod::ignored) operations.color_mask.fill(true);
-  if (output_.blend.method == BlendMethod::as_set) {
-    state.permitted_color =
-        permitted_color(operations, arrival.permitted_color, state.permitted_color);
-  } else {
-    // For another equation, only its own result is known to be possible.
-    for (std::size_t c = 0; c < 4; ++c) state.permitted_color[c] = {state.color[c], state.color[c]};
-  }
-  const bool all = std::ranges::all_of(operations.color_mask, [](bool on) { return on; });
+  const FragmentOperations& operations = *arrival.operations;
+  state.color = written_color(operations, arrival.color, Rgba8(state.color), output_.blend);
+  if (tracked_ == Tracked::permitted) set_permitted_color(arrival, state);
+  const bool all = output_.blend.mask == ColorMaskMethod::ignored ||
+                   std::ranges::all_of(operations.color_mask, [](bool on) { return on; });
   state.blended = operations.blending || (state.blended && !all);
   if (target_.depth != DepthFormat::none && arrival.writes_depth &&
       stores_depth(operations.depth, output_.depth_mask)) {
     state.depth = to_depth(arrival.depth, target_.depth);
-    state.permitted_depth = depth_permitted(arrival.permitted_depth, target_.depth);
+    if (tracked_ == Tracked::permitted)
+      state.permitted_depth = depth_permitted(arrival.permitted_depth, target_.depth);
     state.source = arrival.reported_depth;
   }
   ++state.hits;
@@ -254,27 +273,44 @@ bool is_standard(const RuleChoices& choice) {
 Arrivals::Arrivals(const ValueContext& context)
     : context_(context), facings_(context.primitives.size()) {}
 
-std::vector<Arrival> Arrivals::at(std::span<const Fragment> at_pixel, int sample,
-                                  const RuleChoices& choice) const {
-  std::vector<Arrival> arrivals;
-  for (const Fragment& fragment : at_pixel) {
-    if (!covers_sample(context_, fragment, sample, choice.triangles.multisample_switch)) continue;
-    Arrival arrival;
-    arrival.fragment = &fragment;
-    arrival.operations = &context_.primitive_of(fragment).state->operations;
-    const PixelTruth truth = truth_of_fragment(context_, fragment);
-    arrival.color = truth.exact;
-    arrival.permitted_color = truth.permitted;
-    if (context_.scene.target.depth != DepthFormat::none) set_depth(arrival, sample, choice);
-    if (arrival.operations->stencil) set_facing(arrival, choice);
-    if (is_thinned(context_, fragment)) set_kept(arrival, at_pixel, sample, choice);
-    arrivals.push_back(arrival);
-  }
-  return arrivals;
+const std::vector<Arrival>& Arrivals::at(std::span<const Fragment> at_pixel, int sample,
+                                         const RuleChoices& choice, Tracked tracked) const {
+  const Asked asked{at_pixel.data(),
+                    at_pixel.size(),
+                    sample,
+                    choice.triangles.multisample_switch,
+                    choice.triangles.facing,
+                    choice.values.locations,
+                    choice.samples.alpha_to_coverage,
+                    tracked};
+  Asked wider = asked;
+  wider.tracked = Tracked::permitted;
+  if (asked_ == asked || asked_ == wider) return answer_;
+  asked_ = asked;
+  answer_.clear();
+  for (const Fragment& fragment : at_pixel)
+    if (covers_sample(context_, fragment, sample, choice.triangles.multisample_switch))
+      answer_.push_back(arrival_of(fragment, at_pixel, sample, choice, tracked));
+  return answer_;
+}
+
+Arrival Arrivals::arrival_of(const Fragment& fragment, std::span<const Fragment> at_pixel,
+                             int sample, const RuleChoices& choice, Tracked tracked) const {
+  Arrival arrival;
+  arrival.fragment = &fragment;
+  arrival.operations = &context_.primitive_of(fragment).state->operations;
+  const PixelTruth truth = truth_of_fragment(context_, fragment);
+  arrival.color = truth.exact;
+  arrival.permitted_color = truth.permitted;
+  if (context_.scene.target.depth != DepthFormat::none) set_depth(arrival, sample, choice, tracked);
+  if (arrival.operations->stencil) set_facing(arrival, choice);
+  if (is_thinned(context_, fragment)) set_kept(arrival, at_pixel, sample, choice);
+  return arrival;
 }
 
 // Each sample of a multisampled draw has its own depth, that of the primitive at the sample.
-void Arrivals::set_depth(Arrival& arrival, int sample, const RuleChoices& choice) const {
+void Arrivals::set_depth(Arrival& arrival, int sample, const RuleChoices& choice,
+                         Tracked tracked) const {
   const Fragment& fragment = *arrival.fragment;
   const ScenePrimitive& primitive = context_.primitive_of(fragment);
   const Target& target = context_.scene.target;
@@ -285,7 +321,7 @@ void Arrivals::set_depth(Arrival& arrival, int sample, const RuleChoices& choice
   arrival.writes_depth =
       writes_depth(context_, fragment, sample, choice.triangles.multisample_switch);
   if (target.samples > 1 && !by_sample && !is_constant(context_.values_of(fragment).lawful.depth)) {
-    set_depth_without_multisampling(arrival);
+    set_depth_without_multisampling(arrival, tracked);
     return;
   }
   if (fragment.has_depth && !by_sample) {
@@ -304,17 +340,18 @@ void Arrivals::set_depth(Arrival& arrival, int sample, const RuleChoices& choice
                                                  choice.values.locations)
                          : centre_of_pixel());
   arrival.depth = middle(depth_exact(values.chosen, place));
-  arrival.permitted_depth = depth_permitted_at(values, place);
+  if (tracked == Tracked::permitted) arrival.permitted_depth = depth_permitted_at(values, place);
 }
 
 // The depth is that of the pixel's centre, or of the sample or another one (14.3.1, 17.3.10),
 // wherever gl_FragCoord.z was evaluated.
-void Arrivals::set_depth_without_multisampling(Arrival& arrival) const {
+void Arrivals::set_depth_without_multisampling(Arrival& arrival, Tracked tracked) const {
   const Fragment& fragment = *arrival.fragment;
   const PrimitiveValues& values = context_.values_of(fragment);
   const Point centre = pixel_centre(fragment.x, fragment.y);
   const bool is_reported = fragment.has_depth && !std::isnan(fragment.depth);
   arrival.depth = is_reported ? fragment.depth : middle(depth_exact(values.chosen, centre));
+  if (tracked == Tracked::exact) return;
   arrival.permitted_depth = hull(arrival.depth, depth_permitted_at(values, centre));
   for (const Point position : context_.sample_positions())
     arrival.permitted_depth =

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "diff/coverage/vertex_latitude.h"
@@ -35,10 +36,15 @@ namespace edgecase {
 // or choose what it leaves open.
 bool is_standard(const RuleChoices& choice);
 
+// What a replay keeps: what exact has, or also everything that is permitted, which costs more than
+// the rest.
+enum class Tracked : unsigned char { exact, permitted };
+
 struct Arrival {
   const Fragment* fragment = nullptr;
   const FragmentOperations* operations = nullptr;
-  // What exact has, and all that is permitted; before conversion to the target's formats.
+  // What exact has, and all that is permitted, if that is tracked; before conversion to the
+  // target's formats.
   std::array<double, 4> color{};
   std::array<Interval, 4> permitted_color{};
   double depth = 0;
@@ -57,20 +63,38 @@ class Arrivals {
  public:
   explicit Arrivals(const ValueContext& context);
 
-  // The fragments of a pixel, given in drawing order, that cover a sample.
-  std::vector<Arrival> at(std::span<const Fragment> at_pixel, int sample,
-                          const RuleChoices& choice) const;
+  // The fragments of a pixel, given in drawing order, that cover a sample. Valid until the next
+  // call, which costs nothing if it asks for the same ones.
+  const std::vector<Arrival>& at(std::span<const Fragment> at_pixel, int sample,
+                                 const RuleChoices& choice, Tracked tracked) const;
 
  private:
-  void set_depth(Arrival& arrival, int sample, const RuleChoices& choice) const;
-  void set_depth_without_multisampling(Arrival& arrival) const;
+  Arrival arrival_of(const Fragment& fragment, std::span<const Fragment> at_pixel, int sample,
+                     const RuleChoices& choice, Tracked tracked) const;
+  void set_depth(Arrival& arrival, int sample, const RuleChoices& choice, Tracked tracked) const;
+  void set_depth_without_multisampling(Arrival& arrival, Tracked tracked) const;
   void set_facing(Arrival& arrival, const RuleChoices& choice) const;
   void set_kept(Arrival& arrival, std::span<const Fragment> at_pixel, int sample,
                 const RuleChoices& choice) const;
   FacingLatitude facing_of(const Fragment& fragment) const;
 
+  // What decides on the arrivals of a sample.
+  struct Asked {
+    const Fragment* first = nullptr;
+    std::size_t fragments = 0;
+    int sample = -1;
+    MultisampleSwitch multisample_switch{};
+    FacingMethod facing{};
+    LocationChoice locations;
+    AlphaToCoverage alpha{};
+    Tracked tracked{};
+    friend bool operator==(const Asked&, const Asked&) = default;
+  };
+
   const ValueContext& context_;
   mutable std::vector<std::optional<FacingLatitude>> facings_;  // by primitive
+  mutable Asked asked_;
+  mutable std::vector<Arrival> answer_;  // to asked_
 };
 
 // ------------------------------------------------------------------------------------------ states
@@ -80,9 +104,9 @@ enum class OperationsStep : unsigned char { none, dropped, stencil_failed, depth
 
 struct SampleState {
   Rgba8 color{};
-  Rgba8Range permitted_color{};
-  double depth = 0;
+  Rgba8Range permitted_color{};  // this and the next: if the permitted is tracked
   Interval permitted_depth;
+  double depth = 0;
   std::optional<double> source;  // the depth before conversion, if it was reported
   std::uint8_t stencil = 0;
   std::uint32_t hits = 0;
@@ -107,14 +131,15 @@ inline constexpr std::size_t kMostStates = 64;
 
 class Replay {
  public:
-  // Keeps a reference to the target.
-  Replay(const Target& target, const OutputChoice& output, OperationsFreedom freedom)
-      : target_(target), output_(output), freedom_(freedom) {}
+  // Keeps a reference to the target. `tracked`: that of the arrivals, or less; a replay with any
+  // freedom needs all.
+  Replay(const Target& target, const OutputChoice& output, OperationsFreedom freedom,
+         Tracked tracked = Tracked::permitted)
+      : target_(target), output_(output), freedom_(freedom), tracked_(tracked) {}
 
   SampleState cleared() const;
   // The states after one more fragment.
-  std::vector<SampleState> after(const std::vector<SampleState>& states,
-                                 const Arrival& arrival) const;
+  std::vector<SampleState> after(std::vector<SampleState> states, const Arrival& arrival) const;
   // The states after all fragments, from the clear values on. With no freedom, one state.
   std::vector<SampleState> run(std::span<const Arrival> arrivals) const;
 
@@ -130,8 +155,11 @@ class Replay {
                   std::vector<SampleState>& next) const;
   Outcomes stencil_outcomes(const SampleState& state, const StencilFace& face) const;
   Outcomes depth_outcomes(const SampleState& state, const Arrival& arrival) const;
+  void step(std::vector<SampleState>& states, const Arrival& arrival,
+            std::vector<SampleState>& next) const;
   SampleState written(SampleState state, const Arrival& arrival) const;
-  std::vector<SampleState> written_depths(SampleState state, const Arrival& arrival) const;
+  void set_permitted_color(const Arrival& arrival, SampleState& state) const;
+  bool has_either_depth(const SampleState& state, const Arrival& arrival) const;
   bool compares_unconverted() const {
     return freedom_.depth_test == OutcomeScope::permitted &&
            output_.depth == DepthTestMethod::unconverted;
@@ -140,6 +168,7 @@ class Replay {
   const Target& target_;
   const OutputChoice output_;
   const OperationsFreedom freedom_;
+  const Tracked tracked_;
 };
 
 // The contents of a sample as a renderer reports them; a plane that it does not report is left out.

@@ -136,7 +136,9 @@ std::vector<Texel> TextureLookups::permitted_samples(const Fragment& fragment, R
   std::vector<Texel> colors =
       sample(exact_.decoded(use.texture), texture, use.sampler, lawful, at, latitude);
   if (texture.format != TextureFormat::srgb8) return colors;
-  const auto coded = srgb_.try_emplace(use.texture, srgb_coded(exact_.decoded(use.texture))).first;
+  auto coded = srgb_.find(use.texture);
+  if (coded == srgb_.end())
+    coded = srgb_.emplace(use.texture, srgb_coded(exact_.decoded(use.texture))).first;
   Sampler sampler = use.sampler;
   for (std::size_t c = 0; c < 3; ++c)
     sampler.border[c] = static_cast<float>(linear_to_srgb_number(double{sampler.border[c]}));

@@ -119,14 +119,13 @@ const PrimitiveValues& ValueContext::values_of(const Fragment& fragment) const {
   std::unique_ptr<PrimitiveValues>& values = values_[static_cast<std::size_t>(fragment.primitive)];
   if (values == nullptr) {
     const ScenePrimitive& primitive = primitive_of(fragment);
-    const RuleChoices lawful = lawful_choices(choices);
     const double reach = reach_of(primitive, bits_).to_double();
-    values = std::make_unique<PrimitiveValues>(PrimitiveValues{
-        attributes_of(primitive, choices, scene.target),
-        attributes_of(primitive, lawful, scene.target),
-        permitted_depth(primitive, lawful, scene.target, reach, fixed_unit_),
-        permitted_inverse_w(primitive, lawful, scene.target),
-        !interpolates_lawfully(choices.values), reach, is_polygon(primitive), std::nullopt});
+    const auto [lawful, depth, inverse_w] = permitted_attributes_of(
+        primitive, lawful_choices(choices), scene.target, reach, fixed_unit_);
+    const bool differ = !interpolates_lawfully(choices.values);
+    values = std::make_unique<PrimitiveValues>(
+        PrimitiveValues{differ ? attributes_of(primitive, choices, scene.target) : lawful, lawful,
+                        depth, inverse_w, differ, reach, is_polygon(primitive), std::nullopt});
   }
   return *values;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
+#include <type_traits>
 #include <utility>
 
 #include "exact/interval.h"
@@ -44,29 +45,40 @@ std::uint8_t nearest_code(const Rational& value) {
   return static_cast<std::uint8_t>(static_cast<int>(below) + (is_up ? 1 : 0));
 }
 
-// A component's nearest value, a tie to the even one. Source and constant: finite; they are clamped
+// Components' nearest values, a tie to the even one. Source and constant: finite; they are clamped
 // to 0 to 1. Most results lie well between the borders at which values round one way or the other,
 // so an interval decides; the others are computed again as quotients of integers.
-std::uint8_t exactly_blended(const BlendTerm& term, const std::array<double, 4>& source,
-                             const std::array<std::uint8_t, 4>& destination,
-                             const std::array<float, 4>& constant, std::size_t component) {
-  const Interval result =
-      blended(term,
-              operands_of<Interval>(
-                  source, destination, constant, [](double value) { return Interval(value); },
-                  [](int code) { return Interval(code) / 255; }),
-              component) *
-      255;
-  const double low = std::nearbyint(std::clamp(result.low, 0.0, 255.0));
-  const double high = std::nearbyint(std::clamp(result.high, 0.0, 255.0));
-  if (low == high) return static_cast<std::uint8_t>(low);
-  return nearest_code(
-      blended(term,
-              operands_of<Rational>(
-                  source, destination, constant, [](double value) { return rational_of(value); },
-                  [](int code) { return Rational(code, 255); }),
-              component));
-}
+class ExactlyBlended {
+ public:
+  // Refers to all of them.
+  ExactlyBlended(const std::array<double, 4>& source, const Rgba8& destination,
+                 const std::array<float, 4>& constant)
+      : source_(source),
+        destination_(destination),
+        constant_(constant),
+        narrow_(operands_of<Interval>(
+            source, destination, constant, [](double value) { return Interval(value); },
+            [](int code) { return Interval(code) / 255; })) {}
+
+  std::uint8_t code(const BlendTerm& term, std::size_t component) const {
+    const Interval result = blended(term, narrow_, component) * 255;
+    const double low = std::nearbyint(std::clamp(result.low, 0.0, 255.0));
+    const double high = std::nearbyint(std::clamp(result.high, 0.0, 255.0));
+    if (low == high) return static_cast<std::uint8_t>(low);
+    return nearest_code(blended(
+        term,
+        operands_of<Rational>(
+            source_, destination_, constant_, [](double value) { return rational_of(value); },
+            [](int code) { return Rational(code, 255); }),
+        component));
+  }
+
+ private:
+  const std::array<double, 4>& source_;
+  const Rgba8& destination_;
+  const std::array<float, 4>& constant_;
+  const BlendOperands<Interval> narrow_;
+};
 
 constexpr int kLargest = 255;
 
@@ -131,9 +143,14 @@ CodeRange codes_around(Interval value) {
   return {code_below(value.low), code_above(value.high)};
 }
 
-// The code nearest to an operand.
-std::uint8_t nearest_operand(const std::array<double, 4>& source, std::size_t component) {
-  return exactly_blended({}, source, {}, {}, component);
+// The code nearest to an operand, a tie to the even one.
+int nearest_operand(double value) {
+  const double scaled = unit_clamped(value) * kLargest;
+  const double nearest = std::nearbyint(scaled);
+  // The product is off by far less than this.
+  constexpr double kNearHalf = 0.499999;
+  if (std::fabs(scaled - nearest) < kNearHalf) return static_cast<int>(nearest);
+  return nearest_code(rational_of(unit_clamped(value)));
 }
 
 // Exchanges the colour factor of `over` for that of its other form.
@@ -153,12 +170,11 @@ template <class Number>
 BlendOperands<Number> rounded_operands(const std::array<double, 4>& source,
                                        const Rgba8& destination,
                                        const std::array<float, 4>& constant) {
-  const std::array<double, 4> exact_constant{constant[0], constant[1], constant[2], constant[3]};
   BlendOperands<Number> result{{}, {}, {}, Number{kLargest}};
   for (std::size_t i = 0; i < 4; ++i) {
-    result.source[i] = Number{nearest_operand(source, i)};
+    result.source[i] = Number{nearest_operand(source[i])};
     result.destination[i] = Number{destination[i]};
-    result.constant[i] = Number{nearest_operand(exact_constant, i)};
+    result.constant[i] = Number{nearest_operand(static_cast<double>(constant[i]))};
   }
   return result;
 }
@@ -168,24 +184,37 @@ std::uint8_t clamped_code(Number result) {
   return static_cast<std::uint8_t>(std::clamp(result.value, 0, kLargest));
 }
 
-std::uint8_t blended_code(const Blending& blending, const std::array<double, 4>& source,
-                          const Rgba8& destination, std::size_t component,
-                          const BlendChoice& choice) {
-  const BlendTerm term = term_of(blending, component, choice.method);
+Rgba8 blended_codes(const Blending& blending, const std::array<double, 4>& source,
+                    const Rgba8& destination, const BlendChoice& choice) {
+  // Operands are made once for all components.
+  const auto each = [&](const auto& code) {
+    Rgba8 codes{};
+    for (std::size_t i = 0; i < codes.size(); ++i)
+      codes[i] = code(term_of(blending, i, choice.method), i);
+    return codes;
+  };
+  const auto by_codes = [&]<class Number>(Number) {
+    const auto operands = rounded_operands<Number>(source, destination, blending.constant);
+    return each([&](const BlendTerm& term, std::size_t i) {
+      if constexpr (std::is_same_v<Number, int>)
+        return static_cast<std::uint8_t>(code_of_square(blended(term, operands, i)));
+      else
+        return clamped_code(blended(term, operands, i));
+    });
+  };
   switch (choice.rounding) {
-    case BlendRounding::once:
-      return exactly_blended(term, source, destination, blending.constant, component);
+    case BlendRounding::once: {
+      const ExactlyBlended exactly(source, destination, blending.constant);
+      return each([&](const BlendTerm& term, std::size_t i) { return exactly.code(term, i); });
+    }
     case BlendRounding::source_first:
-      return static_cast<std::uint8_t>(code_of_square(
-          blended(term, rounded_operands<int>(source, destination, blending.constant), component)));
+      return by_codes(int{});
     case BlendRounding::every_product:
-      return clamped_code(blended(
-          term, rounded_operands<RoundedCode>(source, destination, blending.constant), component));
+      return by_codes(RoundedCode{});
     case BlendRounding::shifted:
-      return clamped_code(blended(
-          term, rounded_operands<ShiftedCode>(source, destination, blending.constant), component));
+      return by_codes(ShiftedCode{});
   }
-  return destination[component];
+  return destination;
 }
 
 }  // namespace
@@ -217,12 +246,14 @@ Rgba8 written_color(const FragmentOperations& operations, const std::array<doubl
   std::array<double, 4> numbers;
   for (std::size_t i = 0; i < 4; ++i) numbers[i] = std::isnan(source[i]) ? 0 : source[i];
   const bool blends = operations.blending && choice.method != BlendMethod::ignored;
-  Rgba8 result = destination;
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (!operations.color_mask[i] && choice.mask == ColorMaskMethod::as_set) continue;
-    result[i] = blends ? blended_code(*operations.blending, numbers, destination, i, choice)
-                       : to_unorm8(numbers[i]);
-  }
+  Rgba8 result{};
+  if (blends)
+    result = blended_codes(*operations.blending, numbers, destination, choice);
+  else
+    std::ranges::transform(numbers, result.begin(), to_unorm8);
+  if (choice.mask == ColorMaskMethod::as_set)
+    for (std::size_t i = 0; i < 4; ++i)
+      if (!operations.color_mask[i]) result[i] = destination[i];
   return result;
 }
 

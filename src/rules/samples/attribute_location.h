@@ -88,6 +88,8 @@ struct LocationChoice {
   PlainLocation plain = PlainLocation::centre;
   CentroidLocation centroid = CentroidLocation::centre_or_first;
   DepthLocation depth = DepthLocation::at_sample;
+
+  friend bool operator==(const LocationChoice&, const LocationChoice&) = default;
 };
 
 // One invocation of the shader for a pixel of a multisampled draw.

@@ -215,12 +215,12 @@ TEST(SnappedSegment, ReachesTheGridLinesThatAnErrorReaches) {
   const Scene scene = clip_scene(Primitive::lines, {{0.25F, 0, 0, 3}, {0.5F, 1, 0, 1.5F}});
   const ScenePrimitive line = primitives_of(scene)[0];
   // (8 + 2/3, 8) and (13 + 1/3, 13 + 1/3): thirds of a step of 4 bits lie far from the middle.
-  const LooseSegment coarse = snapped_segment(line, *find_snap("4-half-even"));
+  const LooseSegment coarse = snapped_segment(line, *find_snap("4-half-even"), end_errors(line));
   EXPECT_EQ(coarse.reach, Fixed());
   EXPECT_EQ(coarse.segment.a.x, Fixed::from_raw(139 * Fixed::kOne / 16));
   // Truncated, the coordinate that lies on a grid line may fall below it.
-  EXPECT_EQ(snapped_segment(line, *find_snap("4-truncate")).reach, grid_step(4));
-  const LooseSegment given = snapped_segment(line, Snap{});
+  EXPECT_EQ(snapped_segment(line, *find_snap("4-truncate"), end_errors(line)).reach, grid_step(4));
+  const LooseSegment given = snapped_segment(line, Snap{}, end_errors(line));
   EXPECT_EQ(given.reach, division_error(line));
 }
 

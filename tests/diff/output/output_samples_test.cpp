@@ -5,7 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <set>
+#include <span>
+#include <vector>
 
+#include "diff/output/operations_replay.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/output/output_judging.h"
 #include "tests/raster/multisampled_scenes.h"
@@ -43,6 +48,61 @@ Result under(const Scene& scene, const std::string& rule, const std::string& alt
   Rendering rendered = rasterize(scene, policy_with(rule, alternative));
   rendered.sample_positions = rasterize(scene, {}).sample_positions;
   return judge_output(scene, {}, rendered);
+}
+
+// Depths of what arrives, and whether it is kept.
+std::vector<double> told(std::span<const Arrival> arrivals, Tracked tracked) {
+  std::vector<double> numbers;
+  for (const Arrival& arrival : arrivals) {
+    numbers.insert(numbers.end(), {static_cast<double>(arrival.fragment->primitive), arrival.depth,
+                                   arrival.is_kept ? 1.0 : 0.0});
+    if (tracked == Tracked::permitted)
+      numbers.insert(numbers.end(), {arrival.permitted_depth.low, arrival.permitted_depth.high});
+  }
+  return numbers;
+}
+
+// The latest answer is kept. Whatever was asked before, it answers what was asked: by the number of
+// fragments from the same one on, the sample, the choice and what is tracked.
+TEST(OutputSamples, ArrivalsDoNotDependOnWhatWasAskedBefore) {
+  const Scene scene = crossing();
+  const auto primitives = primitives_of(scene);
+  const RuleChoices lawful = resolve({}, scene.target.surface);
+  const RuleChoices other = resolve(policy_with("sample.depth", "centre"), scene.target.surface);
+  const ValueContext context(scene, primitives, lawful, 8, Latitude::opengl);
+  const Rendering exact = rasterize(scene, {});
+  const auto pair =
+      std::ranges::adjacent_find(exact.fragments, [](const Fragment& a, const Fragment& b) {
+        return a.x == b.x && a.y == b.y && (a.coverage & b.coverage & 3) == 3;
+      });
+  ASSERT_NE(pair, exact.fragments.end());
+  struct Asked {
+    std::size_t fragments;
+    int sample;
+    const RuleChoices* choice;
+    Tracked tracked;
+  };
+  std::vector<Asked> questions;
+  for (const std::size_t fragments : {0U, 1U, 2U})
+    for (const int sample : {0, 1})
+      for (const RuleChoices* choice : {&lawful, &other})
+        for (const Tracked tracked : {Tracked::exact, Tracked::permitted})
+          questions.push_back({fragments, sample, choice, tracked});
+  const auto answer = [&](const Arrivals& arrivals, const Asked& asked) {
+    const std::span<const Fragment> at_pixel(&*pair, asked.fragments);
+    return told(arrivals.at(at_pixel, asked.sample, *asked.choice, asked.tracked), asked.tracked);
+  };
+  std::set<std::vector<double>> answers;
+  for (const Asked& before : questions)
+    for (const Asked& asked : questions) {
+      const Arrivals arrivals(context);
+      answer(arrivals, before);
+      const auto found = answer(arrivals, asked);
+      EXPECT_EQ(found, answer(Arrivals(context), asked));
+      answers.insert(found);
+    }
+  // None, and of one and of two fragments eight each: the questions do ask for different things.
+  EXPECT_EQ(answers.size(), 17U);
 }
 
 TEST(OutputSamples, DepthsOfOtherPlacesAreNamed) {

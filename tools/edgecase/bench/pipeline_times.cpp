@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -137,6 +138,19 @@ PipelineRates time_pipeline(const BenchPlan& plan, const Suite& suite,
   return rates;
 }
 
+// What a case is mainly about, by what its scene has.
+std::string subject_of(const Case& one) {
+  const Scene& scene = one.scene;
+  if (scene.target.samples > 1 || !scene.supersampling.empty()) return "samples";
+  if (!scene.textures.empty()) return "textures";
+  if (has_fragment_operations(scene)) return "output";
+  const bool is_of_values = std::ranges::any_of(one.rules, [](const std::string& name) {
+    return name.starts_with("attribute.") || name.starts_with("derivative.") ||
+           name.starts_with("fragment.") || name.starts_with("framebuffer.");
+  });
+  return is_of_values ? "values" : "coverage";
+}
+
 // Times all stages except the renderer's own, case by case.
 class StageTimer {
  public:
@@ -152,8 +166,13 @@ class StageTimer {
     const std::vector<Case> cases = suite_.cases.all();
     std::vector<Task> tasks;
     for (const Case& one : cases) tasks.push_back({one.id, &one.scene});
+    auto asked = Clock::now();
     renderer->render(tasks, [&](std::size_t i, Outcome outcome) {
-      results_.cases.push_back(compare(i, cases[i], std::move(outcome), renderer->info()));
+      StageTimes::Subject& subject = subjects_[subject_of(cases[i])];
+      ++subject.cases;
+      subject.worker += seconds_since(asked);
+      results_.cases.push_back(compare(i, cases[i], std::move(outcome), renderer->info(), subject));
+      asked = Clock::now();
     });
     const double asking = seconds_since(start) - exact_ - comparing_;
     results_.renderers = {renderer->info()};
@@ -167,16 +186,31 @@ class StageTimer {
              {"exact rendering", exact_},
              {"compare, with causes", comparing_},
              {"judge", judging},
-             {"write results", writing}}};
+             {"write results", writing}},
+            named_subjects()};
   }
 
  private:
-  CaseResults compare(std::size_t i, const Case& asked, Outcome outcome, const RendererInfo& info) {
-    exact_ += time_of(0, [&] { comparison_.exact(i, asked.scene); });
+  std::vector<StageTimes::Subject> named_subjects() const {
+    std::vector<StageTimes::Subject> named;
+    for (const auto& [name, subject] : subjects_) {
+      named.push_back(subject);
+      named.back().name = name;
+    }
+    return named;
+  }
+
+  CaseResults compare(std::size_t i, const Case& asked, Outcome outcome, const RendererInfo& info,
+                      StageTimes::Subject& subject) {
+    const double drawing = time_of(0, [&] { comparison_.exact(i, asked.scene); });
     CaseResults one;
-    comparing_ += time_of(0, [&] {
+    const double comparing = time_of(0, [&] {
       one.results.emplace_back(comparison_.compare_outcome(i, asked, std::move(outcome), info));
     });
+    exact_ += drawing;
+    subject.exact += drawing;
+    comparing_ += comparing;
+    subject.comparing += comparing;
     one.pixels = comparison_.exact(i, asked.scene).pixels;
     comparison_.forget(i);
     one.id = asked.id;
@@ -190,6 +224,7 @@ class StageTimer {
   Results results_;
   double exact_ = 0;
   double comparing_ = 0;
+  std::map<std::string, StageTimes::Subject> subjects_;
 };
 
 }  // namespace

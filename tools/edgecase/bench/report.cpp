@@ -84,6 +84,15 @@ void print_stages(const StageTimes& times) {
     fmt::print(kLine, stage.name,
                fmt::format("{:.1f} us", 1e6 * stage.seconds / static_cast<double>(times.cases)),
                fmt::format("{:.1f} %", 100 * stage.seconds / whole), "");
+  fmt::print("  {:<20} {:>8} {:>12} {:>12} {:>12}\n", "a case, by subject", "cases", "worker",
+             "exact", "compare");
+  for (const StageTimes::Subject& subject : times.subjects) {
+    const auto us = [&](double seconds) {
+      return fmt::format("{:.1f} us", 1e6 * seconds / static_cast<double>(subject.cases));
+    };
+    fmt::print("  {:<20} {:>8} {:>12} {:>12} {:>12}\n", subject.name, subject.cases,
+               us(subject.worker), us(subject.exact), us(subject.comparing));
+  }
 }
 
 ordered_json json_of(const Spread& spread) {
@@ -134,8 +143,23 @@ ordered_json json_of(const DiffRates& diff) {
 
 ordered_json json_of(const StageTimes& times) {
   ordered_json stages = ordered_json::object();
-  for (const StageTimes::Stage& stage : times.stages) stages[stage.name] = stage.seconds;
-  return {{"renderer", times.renderer}, {"cases", times.cases}, {"seconds", stages}};
+  const auto us_a_case = [](double seconds, std::size_t cases) {
+    return 1e6 * seconds / static_cast<double>(cases);
+  };
+  for (const StageTimes::Stage& stage : times.stages)
+    stages[stage.name] = us_a_case(stage.seconds, times.cases);
+  ordered_json subjects = ordered_json::array();
+  for (const StageTimes::Subject& one : times.subjects)
+    subjects.push_back({{"name", one.name},
+                        {"cases", one.cases},
+                        {"us_a_case",
+                         {{"worker", us_a_case(one.worker, one.cases)},
+                          {"exact", us_a_case(one.exact, one.cases)},
+                          {"compare", us_a_case(one.comparing, one.cases)}}}});
+  return {{"renderer", times.renderer},
+          {"cases", times.cases},
+          {"us_a_case", stages},
+          {"subjects", subjects}};
 }
 
 template <class Item>

@@ -58,6 +58,15 @@ struct StageTimes {
     double seconds = 0;  // of all cases
   };
   std::vector<Stage> stages;
+  // What the cases of one subject cost: coverage, values, textures, samples or output.
+  struct Subject {
+    std::string name;
+    std::size_t cases = 0;
+    double worker = 0;  // seconds, of these cases, as the next two
+    double exact = 0;
+    double comparing = 0;
+  };
+  std::vector<Subject> subjects;
 };
 
 struct BenchReport {

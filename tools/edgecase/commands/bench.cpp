@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <variant>
 
+#include "tools/edgecase/bench/comparison.h"
 #include "tools/edgecase/bench/rates.h"
 #include "tools/edgecase/bench/report.h"
 #include "tools/edgecase/bench/scenes.h"
@@ -23,6 +26,7 @@ struct BenchCommand {
   std::vector<std::string> parts;  // none: all
   SelectionOptions selection;      // of the cases whose stages are timed
   std::string json;
+  std::string other;  // a file of another bench
 };
 
 // The named cases, or else those of the generated sweep.
@@ -33,10 +37,26 @@ Suite suite_of(const BenchCommand& command) {
   return suite;
 }
 
+// The figures of both, or none without such a file. Prints an error where it is none.
+std::optional<std::vector<ComparedFigure>> held_against(const std::string& file,
+                                                        const BenchReport& report) {
+  if (file.empty()) return std::vector<ComparedFigure>();
+  const auto text = read_file(file);
+  if (!text) return std::nullopt;
+  auto compared = compare_benches(bench_json(report), *text);
+  if (const auto* message = std::get_if<std::string>(&compared)) {
+    print_error(fmt::format("{}: {}; name one", file, *message));
+    return std::nullopt;
+  }
+  return std::get<std::vector<ComparedFigure>>(std::move(compared));
+}
+
 ExitCode bench(BenchCommand command) {
   BenchPlan& plan = command.plan;
   if (plan.renderers.empty()) plan.renderers = {"egl:llvmpipe"};
   if (!are_known(plan.renderers)) return ExitCode::usage;
+  // A wrong file is told before anything is measured.
+  if (!held_against(command.other, {})) return ExitCode::usage;
   const auto is_asked = [&](const char* part) {
     return command.parts.empty() || std::ranges::find(command.parts, part) != command.parts.end();
   };
@@ -53,7 +73,10 @@ ExitCode bench(BenchCommand command) {
     if (suite.cases.empty()) return ExitCode::nothing_selected;
     report.stages = time_stages(plan, suite, seconds);
   }
+  const auto compared = held_against(command.other, report);
+  if (!compared) return ExitCode::usage;
   if (command.json != "-") print_bench(report);
+  if (command.json != "-" && !command.other.empty()) print_comparison(*compared);
   if (command.json == "-")
     fmt::print("{}", bench_json(report));
   else if (!command.json.empty() && !write_file(command.json, bench_json(report)))
@@ -88,6 +111,9 @@ void add_bench_command(CLI::App& app, ExitCode& exit) {
       ->capture_default_str();
   command->add_option("--json", options->json,
                       "Write all measurements as JSON; - for standard output");
+  command->add_option("--compare", options->other,
+                      "File of an earlier --json: print every figure that both have, and the ratio "
+                      "of here to there");
   command->callback([options, &exit] { exit = bench(*options); });
 }
 

@@ -40,6 +40,7 @@ struct RunCommand {
   bool last_failed = false;
   bool resume = false;
   bool no_rerun = false;
+  bool ask_all = false;
   bool strict = false;
   bool watch = false;
   std::size_t max_failures = 0;
@@ -194,6 +195,7 @@ ExitCode run(const RunCommand& command, Watched* watched = nullptr) {
                    !command.no_rerun, is_whole_suite(selection),
                    command.strict,    std::move(std::get<std::optional<MergePart>>(earlier))};
   ReportFiles files = command.files;
+  judged.likely_first = !command.ask_all;
   if (!command.timings.empty()) judged.durations = &files.durations;
   // What was found is written although somebody asks to stop meanwhile.
   const InterruptGuard guard;
@@ -297,6 +299,9 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
   command->add_flag(
       "--no-rerun", options->no_rerun,
       "Do not ask again after an unexpected answer; the second answer reveals flakes");
+  command->add_flag("--ask-all", options->ask_all,
+                    "Look for causes among all alternatives, and not first among those that the "
+                    "renderer's profile has: the same results, later");
   command
       ->add_flag(
           "--watch", options->watch,
