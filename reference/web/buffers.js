@@ -44,13 +44,14 @@ class BufferReader {
     this.fetches = new Map();  // by formats: how depths are fetched, or a sentence on why not
   }
 
-  /** Draws over a whole framebuffer. @param {Framebuffer} framebuffer */
-  cover(framebuffer, source, prepare = (/** @type {Program} */ program) => {}) {
+  /** Draws over a whole framebuffer. @param {Framebuffer|SampledFramebuffer} framebuffer
+   * @param {boolean} samples does the shader use those of its pixel? */
+  cover(framebuffer, source, prepare = (/** @type {Program} */ program) => {}, samples = false) {
     const gl = this.gl;
     gl.bindVertexArray(null);
     framebuffer.bind();
     gl.viewport(0, 0, framebuffer.width, framebuffer.height);
-    prepare(this.programs.everywhere(source));
+    prepare(this.programs.everywhere(source, samples));
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 

@@ -9,7 +9,7 @@
 /**
  * @typedef {{x: number, y: number, primitive: number, coverage?: number, depth?: number,
  *   color?: number[], coordinates?: number[], derivatives?: Record<string, number[]>,
- *   texture_coordinates?: number[]}} Fragment
+ *   texture_coordinates?: number[], level_of_detail?: number[]}} Fragment
  */
 
 // Something that the device answers contradicts itself, or cannot be told: one sentence.
@@ -17,9 +17,26 @@ class Doubt extends Error {}
 
 const PLAIN_BUFFERS = 2;
 const DETAIL_BUFFERS = 5;
+const LEVEL_BUFFERS = 6;
 const MOST_OF_BYTES = 255;
 // Of primitives that are counted one by one.
 const MOST_COUNTED = 4096;
+
+/** What a scene's fragments tell: a kind of program, and the number of images that it writes.
+ * @param {Scene} scene @param {Limits} limits */
+function formOf({details, draws}, limits) {
+  if (!details || details.length === 0) return {kind: "capture", buffers: PLAIN_BUFFERS};
+  return details.includes("texture") && draws.some((draw) => tellsLevels(draw, limits))
+    ? {kind: "levels", buffers: LEVEL_BUFFERS} : {kind: "details", buffers: DETAIL_BUFFERS};
+}
+
+/** @param {Fragment} fragment @param {string[]} details @param {Draw} draw
+ * @param {(buffer: number) => number[]} at */
+function addDetails(fragment, details, at, draw) {
+  if (details.includes("coordinates")) fragment.coordinates = at(2);
+  if (details.includes("derivatives")) fragment.derivatives = {dFdx: at(3), dFdy: at(4)};
+  if (details.includes("texture") && draw.texture) fragment.texture_coordinates = at(0).slice(2);
+}
 
 class Capture {
   /** @param {SceneRenderer} renderer */
@@ -59,8 +76,7 @@ class Capture {
   /** All fragments, and their number by pixel. @param {Scene} scene @param {TargetSet} set */
   fragments(scene, set) {
     const made = this.counts(scene, set, ALL);
-    const detailed = (scene.details || []).length > 0;
-    const buffers = detailed ? DETAIL_BUFFERS : PLAIN_BUFFERS;
+    const {kind, buffers} = formOf(scene, this.renderer.limits);
     const formats = Array(buffers).fill(this.gl.RGBA32UI);
     const pair = ["even", "odd"].map((name) => set.other(`${name} ${buffers}`, formats));
     /** @type {Fragment[]} */
@@ -68,8 +84,8 @@ class Capture {
     const open = made.slice();
     for (let layer = 0; open.some((count) => count > 0); ++layer) {
       const before = fragments.length;
-      this.drawLayer(scene, pair[layer % 2], layer > 0 ? pair[(layer + 1) % 2] : null, detailed);
-      this.readLayer(scene, pair[layer % 2], detailed, open, fragments);
+      this.drawLayer(scene, pair[layer % 2], layer > 0 ? pair[(layer + 1) % 2] : null, kind);
+      this.readLayer(scene, pair[layer % 2], open, fragments);
       if (fragments.length === before) break;
     }
     if (open.some((count) => count < 0)) throw this.contradiction(open, made, scene);
@@ -85,14 +101,14 @@ class Capture {
   }
 
   /** @param {Scene} scene @param {Framebuffer} into @param {Framebuffer} above or null */
-  drawLayer(scene, into, above, detailed) {
+  drawLayer(scene, into, above, kind) {
     const gl = this.gl;
     into.bind();
     resetState(gl);
     gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
     gl.activeTexture(gl.TEXTURE0 + ABOVE_UNIT);
     gl.bindTexture(gl.TEXTURE_2D, above && above.images[0]);
-    this.renderer.drawAll(scene, detailed ? "details" : "capture", ALL, false, (program) => {
+    this.renderer.drawAll(scene, kind, ALL, false, (program) => {
       program.integer("above", ABOVE_UNIT);
       program.integer("peels", above ? 1 : 0);
     });
@@ -101,7 +117,7 @@ class Capture {
   }
 
   /** @param {Scene} scene @param {Framebuffer} layer @param {Fragment[]} fragments */
-  readLayer(scene, layer, detailed, open, fragments) {
+  readLayer(scene, layer, open, fragments) {
     const words = layer.images.map((_, i) => layer.words(i));
     const floats = words.map((buffer) => new Float32Array(buffer.buffer));
     const {width, height} = scene.target;
@@ -119,16 +135,12 @@ class Capture {
       const at = (buffer) => [...floats[buffer].subarray(4 * i, 4 * i + 4)];
       /** @type {Fragment} */
       const fragment = {x, y, primitive: number - 2, depth: floats[0][4 * i + 1], color: at(1)};
-      if (detailed) this.addDetails(fragment, scene.details, at, draws[number - 2]);
+      if (words.length > PLAIN_BUFFERS) addDetails(fragment, scene.details, at, draws[number - 2]);
+      // The last buffer is that of the levels; the third word says whether there are any.
+      if (words.length === LEVEL_BUFFERS && words[5][4 * i + 2])
+        fragment.level_of_detail = [at(5)[0] - draws[number - 2].texture.base_level, at(5)[1]];
       fragments.push(fragment);
     }
-  }
-
-  addDetails(fragment, details, at, draw) {
-    if (details.includes("coordinates")) fragment.coordinates = at(2);
-    if (details.includes("derivatives")) fragment.derivatives = {dFdx: at(3), dFdy: at(4)};
-    if (details.includes("texture") && draw.texture)
-      fragment.texture_coordinates = at(0).slice(2);
   }
 
   // A fragment that a primitive repeats has been overwritten: where it is is known, and no more.

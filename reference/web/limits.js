@@ -49,8 +49,6 @@ function sampleLimit(scene, limits) {
   if (!limits.sampleCounts.includes(target.samples))
     return `asked for ${target.samples} samples, this device makes ${limits.sampleCounts.join(", ")}`;
   if (target.sample_positions) return "WebGL 2 cannot place samples";
-  if (target.depth || target.stencil)
-    return "WebGL 2 cannot read the samples of a depth or stencil buffer";
   if (scene.textures) return "textures are not drawn to multisampled targets";
   if (!limits.has.OES_sample_variables || !limits.has.OES_shader_multisample_interpolation)
     return "fragments do not tell their samples" +
@@ -81,8 +79,9 @@ function targetLimit(scene, limits) {
     if (scene.draws.some((draw) => draw.vertices.some((vertex) => vertex.clip)))
       return "passes of vertices in clip coordinates are not drawn in a page";
   }
-  if (scene.details && limits.drawBuffers < DETAIL_BUFFERS)
-    return `details need ${DETAIL_BUFFERS} draw buffers, this device has ${limits.drawBuffers}`;
+  const {buffers} = formOf(scene, limits);
+  if (buffers > limits.drawBuffers)
+    return `details need ${buffers} draw buffers, this device has ${limits.drawBuffers}`;
   return sampleLimit(scene, limits);
 }
 
@@ -185,10 +184,11 @@ function multisamplingLimit(draw, scene, limits) {
   if (scene.target.samples === 1) return "";
   const use = draw.multisampling;
   if (!use.enabled) return "OpenGL ES cannot switch multisampling off";
-  if (use.min_sample_shading !== undefined)
-    return "WebGL 2 cannot make samples have invocations of their own";
-  const all = 2 ** scene.target.samples - 1;
-  return (use.mask & all) === all ? "" : "WebGL 2 has no sample mask beside the shader's";
+  if (use.location === "centroid" && !permitsAll(draw, scene.target.samples))
+    return "WebGL 2 has the shader's sample mask alone, which comes after centroids are found";
+  const least = leastInvocations(draw, scene.target.samples);
+  return least === 1 || least === scene.target.samples ? ""
+    : `WebGL 2 has shaders that run once or for each sample, not at least ${least} times`;
 }
 
 /** @param {Draw} draw @param {Scene} scene @param {Limits} limits */

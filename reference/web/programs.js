@@ -39,6 +39,7 @@ uniform int interpolation;
 uniform float lookup_value;
 uniform vec4 gradients;
 uniform sampler2D image;
+uniform int sample_mask;
 vec4 own_color() {
   return interpolation == 0 ? flat_color : (interpolation == 1 ? smooth_color : noperspective_color);
 }
@@ -49,6 +50,9 @@ layout(location = 0) out vec4 target;
 void main() {
   vec4 color = own_color();
   target = LOOKUP;
+#ifdef MASKED
+  gl_SampleMask[0] = sample_mask;
+#endif
 }
 `;
 
@@ -60,6 +64,17 @@ layout(location = 0) out vec4 target;
 void main() {
   if (only >= 0 && primitive_index != only) discard;
   target = vec4(hit_step, 0.0, 0.0, 0.0);
+}
+`;
+
+// The same for one sample of a multisampled target. By the colour's alpha, alpha to coverage decides
+// which samples are hit.
+const SAMPLE_COUNT_SHADER = `${INPUTS}
+uniform int sample_number;
+layout(location = 0) out vec4 target;
+void main() {
+  target = vec4(1.0, 0.0, 0.0, own_color().a);
+  gl_SampleMask[0] = sample_mask & (1 << sample_number);
 }
 `;
 
@@ -76,6 +91,12 @@ layout(location = 2) out uvec4 coordinates;
 layout(location = 3) out uvec4 dx;
 layout(location = 4) out uvec4 dy;
 #endif
+#ifdef LEVELS
+layout(location = 5) out uvec4 levels;
+#endif
+#ifdef MEASURED
+${MEASURE}
+#endif
 void main() {
   vec4 color = own_color();
   uint number = uint(primitive_index + 2);
@@ -84,6 +105,12 @@ void main() {
   coordinates = floatBitsToUint(gl_FragCoord);
   dx = floatBitsToUint(dFdx(color));
   dy = floatBitsToUint(dFdy(color));
+#endif
+#ifdef LEVELS
+  levels = uvec4(0u);
+#endif
+#ifdef MEASURED
+  levels = measured(color.xy);
 #endif
   colors = floatBitsToUint(LOOKUP);
   if (peels && number >= texelFetch(above, ivec2(gl_FragCoord.xy), 0).x) discard;
@@ -99,13 +126,19 @@ uniform int sample_number;
 uniform float samples;
 layout(location = 0) out vec4 place;
 layout(location = 1) out vec4 colors;
+#ifdef DETAILS
+layout(location = 2) out vec4 coordinates;
+#endif
 void main() {
   vec4 color = own_color();
   float number = float(primitive_index + 2);
-  place = vec4(number, float(gl_SampleMaskIn[0]), gl_FragCoord.z, 0.0);
+  place = vec4(number, float(gl_SampleMaskIn[0] & sample_mask), gl_FragCoord.z, 0.0);
   colors = color;
+#ifdef DETAILS
+  coordinates = gl_FragCoord;
+#endif
   if (peels && number >= samples * texelFetch(above, ivec2(gl_FragCoord.xy), 0).x) discard;
-  gl_SampleMask[0] = gl_SampleMaskIn[0] & (1 << sample_number);
+  gl_SampleMask[0] = sample_mask & (1 << sample_number);
 }
 `;
 
@@ -120,10 +153,30 @@ const LOCATIONS = {center: "", centroid: "centroid", sample: "sample"};
 
 class ProgramError extends Error {}
 
+/** How often a shader runs at least, of a primitive's pixel. @param {Draw} draw */
+function leastInvocations({multisampling: use}, samples) {
+  if (use.location === "sample") return samples;
+  return Math.max(1, Math.ceil((use.min_sample_shading || 0) * samples));
+}
+
+// Attributes at the samples make a shader run for each of them, as glMinSampleShading would.
+/** @param {Draw} draw @param {number} samples of the target */
+function attributeLocation(draw, samples) {
+  if (samples === 1) return "center";
+  return leastInvocations(draw, samples) > 1 ? "sample" : draw.multisampling.location;
+}
+
+/** Does a draw's mask permit each sample? @param {Draw} draw @param {number} samples */
+function permitsAll({multisampling: use}, samples) {
+  const all = 2 ** samples - 1;
+  return samples === 1 || (use.mask & all) === all;
+}
+
 class Programs {
   /** @param {WebGL2RenderingContext} gl @param {Limits} limits */
   constructor(gl, limits) {
     this.gl = gl;
+    this.limits = limits;
     this.has = limits.has;
     /** @type {Map<string, Program>} */
     this.kept = new Map();
@@ -143,19 +196,26 @@ class Programs {
   }
 
   /**
-   * @param {string} kind color, count, capture, details or samples
+   * @param {string} kind color, count, capture, details, levels (details and those), samples, sample details or sample count
    * @param {Draw} draw whose lookup and location of attributes the program has
+   * @param {number} samples of the target
    */
-  forDraw(kind, draw) {
+  forDraw(kind, draw, samples) {
     const lookup = draw.texture && kind !== "count" ? draw.texture.lookup.kind : "none";
-    const location = draw.multisampling ? draw.multisampling.location : "center";
-    const samples = draw.multisampling !== undefined;
-    return this.find(`${kind} ${lookup} ${location} ${samples}`, () => {
+    const location = attributeLocation(draw, samples);
+    const isMeasured = kind === "levels" && tellsLevels(draw, this.limits);
+    const defined = [...(kind.endsWith("details") ? ["DETAILS"] : []),
+      ...(kind === "levels" ? ["DETAILS", "LEVELS"] : []),
+      ...(isMeasured ? ["MEASURED"] : []),
+      ...(permitsAll(draw, samples) ? [] : ["MASKED"])];
+    return this.find([kind, lookup, location, samples > 1, ...defined].join(" "), () => {
       const at = `#define AT ${LOCATIONS[location]}\n`;
-      const source = {color: COLOR_SHADER, count: COUNT_SHADER, capture: CAPTURE_SHADER,
-        details: CAPTURE_SHADER, samples: SAMPLE_CAPTURE_SHADER}[kind];
-      return [this.head(false, samples) + at + VERTEX_SHADER,
-        this.head(true, samples) + at + (kind === "details" ? "#define DETAILS\n" : "") +
+      const source = {"color": COLOR_SHADER, "count": COUNT_SHADER, "capture": CAPTURE_SHADER,
+        "details": CAPTURE_SHADER, "levels": CAPTURE_SHADER, "samples": SAMPLE_CAPTURE_SHADER,
+        "sample details": SAMPLE_CAPTURE_SHADER, "sample count": SAMPLE_COUNT_SHADER}[kind];
+      const definitions = defined.map((name) => `#define ${name}\n`).join("");
+      return [this.head(false, samples > 1) + at + VERTEX_SHADER,
+        this.head(true, samples > 1) + at + definitions +
           `#define LOOKUP ${LOOKUPS[lookup]}\n` + source];
     });
   }

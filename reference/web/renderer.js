@@ -20,6 +20,7 @@ class SceneRenderer {
     this.programs = new Programs(gl, this.limits);
     this.targets = new Targets(gl);
     this.textures = new Textures(gl, this.limits);
+    this.levels = new LevelTextures(gl, this.textures);
     this.buffers = new BufferReader(gl, this.programs);
     this.capture = new Capture(this);
     this.samples = new SampleCapture(this);
@@ -128,16 +129,20 @@ class SceneRenderer {
       gl.bindVertexArray(this.vertexArray);
       setState(gl, this.limits, scene, draw, purpose, adds);
       if (draw.texture) this.textures.bind(scene.textures[draw.texture.texture], draw.texture);
-      const program = this.programs.forDraw(kind, draw);
+      const program = this.programs.forDraw(kind, draw, scene.target.samples);
       program.integer("interpolation", INTERPOLATIONS.indexOf(draw.interpolation));
       program.float("point_size", draw.point_size);
       program.integer("image", IMAGE_UNIT);
+      if (draw.multisampling) program.integer("sample_mask", draw.multisampling.mask);
       if (draw.texture) this.setLookup(program, draw.texture.lookup);
+      if (kind === "levels" && tellsLevels(draw, this.limits))
+        this.levels.bind(program, scene.textures[draw.texture.texture], draw.texture);
       prepare(program);
       gl.drawArrays(gl[MODES[draw.primitive]], first, draw.vertices.length);
       first += draw.vertices.length;
     }
     this.textures.unbind();
+    if (kind === "levels") this.levels.unbind();
     gl.bindVertexArray(null);
     resetState(gl);
   }

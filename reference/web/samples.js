@@ -17,10 +17,13 @@ void main() {
 
 /** A framebuffer of several samples, and one that it is resolved into. */
 class SampledFramebuffer {
-  /** @param {WebGL2RenderingContext} gl @param {number[]} formats @param {Target} target */
-  constructor(gl, formats, {samples, width, height}) {
+  /** @param {WebGL2RenderingContext} gl @param {number[]} formats @param {Target} target
+   * @param {Depth} depth of as many samples, or null */
+  constructor(gl, formats, {samples, width, height}, depth = null) {
     this.gl = gl;
     this.samples = samples;
+    this.width = width;
+    this.height = height;
     this.images = formats.map((format) => {
       const image = gl.createRenderbuffer();
       gl.bindRenderbuffer(gl.RENDERBUFFER, image);
@@ -34,6 +37,7 @@ class SampledFramebuffer {
       return gl.COLOR_ATTACHMENT0 + i;
     });
     gl.drawBuffers(this.buffers);
+    if (depth) depth.attach();
     this.complete = gl.checkFramebufferStatus(gl.FRAMEBUFFER) === gl.FRAMEBUFFER_COMPLETE &&
       gl.getParameter(gl.SAMPLES) === samples;
     this.resolved = new Framebuffer(gl, formats, width, height);
@@ -58,6 +62,12 @@ class SampledFramebuffer {
     return this.resolved;
   }
 
+  /** What all samples of a pixel hold together, in one channel. */
+  sums(channel) {
+    return this.resolve().floats().filter((_, i) => i % 4 === channel)
+      .map((mean) => mean * this.samples);
+  }
+
   free() {
     for (const image of this.images) this.gl.deleteRenderbuffer(image);
     this.gl.deleteFramebuffer(this.name);
@@ -65,45 +75,110 @@ class SampledFramebuffer {
   }
 }
 
+// Without alpha to coverage, a sample has as many hits as fragments that cover it, and no more where
+// tests may drop some.
+/** @param {Scene} scene @param {Rendering} rendering */
+function refuseContradiction(scene, {hits, fragments}) {
+  if (scene.draws.some((draw) => draw.multisampling.alpha_to_coverage)) return;
+  const {width, height, samples} = scene.target;
+  const covering = Array(hits.length).fill(0);
+  for (const {x, y, coverage} of fragments)
+    for (let sample = 0; sample < samples; ++sample)
+      covering[(sample * height + y) * width + x] += (coverage >> sample) & 1;
+  const mayFail = hasFragmentOperations(scene);
+  const i = hits.findIndex((count, at) => (mayFail ? count > covering[at] : count !== covering[at]));
+  if (i < 0) return;
+  throw new Doubt(`sample ${Math.floor(i / (width * height))} of pixel (${i % width}, ${
+    Math.floor(i / width) % height}) has ${hits[i]} hits, and ${covering[i]} fragments that cover it`);
+}
+
+/** @param {Scene} scene */
+const tellsCoordinates = (scene) => (scene.details || []).includes("coordinates");
+
 class SampleCapture {
   /** @param {SceneRenderer} renderer */
   constructor(renderer) {
     this.renderer = renderer;
     this.gl = renderer.gl;
     this.key = "";
-    /** @type {{color: SampledFramebuffer, pair: SampledFramebuffer[]}} */
+    /** @type {{depth: Depth, color: SampledFramebuffer, sums: SampledFramebuffer,
+     *   pair: SampledFramebuffer[]}} */
     this.kept = null;
+    this.buffers = new SampleBuffers(renderer);
     this.positions = new Map();
   }
 
-  /** @param {Target} target */
-  find(target) {
-    const key = [target.width, target.height, target.samples].join(" ");
+  /** @param {Target} target @param {boolean} detailed are coordinates told? */
+  find(target, detailed) {
+    const key = [target.width, target.height, target.samples, target.depth, target.stencil,
+      detailed].join(" ");
     if (this.key === key) return this.kept;
+    this.free();
     const gl = this.gl;
-    if (this.kept) for (const old of [this.kept.color, ...this.kept.pair]) old.free();
-    const floats = [gl.RGBA32F, gl.RGBA32F];
-    this.kept = {color: new SampledFramebuffer(gl, [gl.RGBA8], target),
-      pair: [0, 1].map(() => new SampledFramebuffer(gl, floats, target))};
-    this.key = key;
-    if (![this.kept.color, ...this.kept.pair].every((framebuffer) => framebuffer.complete)) {
-      this.key = "";
+    const depth = target.depth || target.stencil ? new Depth(gl, target) : null;
+    const made = (...formats) => new SampledFramebuffer(gl, formats, target, depth);
+    this.kept = {depth, color: made(gl.RGBA8), sums: made(gl.R32F),
+      pair: [0, 1].map(() => made(...Array(detailed ? 3 : 2).fill(gl.RGBA32F)))};
+    if (!this.framebuffers().every((framebuffer) => framebuffer.complete))
       throw new Doubt(`this device has no ${target.width}x${target.height} framebuffer of ` +
-        `${target.samples} samples`);
-    }
+        `${target.samples} samples` +
+        (depth ? " with the asked depth or stencil buffer" : ""));
+    this.key = key;
     return this.kept;
+  }
+
+  framebuffers() {
+    return [this.kept.color, this.kept.sums, ...this.kept.pair];
+  }
+
+  free() {
+    this.key = "";
+    if (!this.kept) return;
+    for (const framebuffer of this.framebuffers()) framebuffer.free();
+    if (this.kept.depth) this.kept.depth.free();
   }
 
   /** @param {Scene} scene */
   render(scene) {
-    const gl = this.gl;
-    const {color, pair} = this.find(scene.target);
+    const {target} = scene;
+    const doubt = this.buffers.doubtOf(target);
+    if (doubt) throw new Doubt(doubt);
+    const {color, sums, pair} = this.find(target, tellsCoordinates(scene));
     color.bind();
-    clearAll(gl, scene.target, scene.target.clear);
+    clearAll(this.gl, target, target.clear);
     this.renderer.drawAll(scene, "color", PIXELS, false);
-    const pixels = [...color.resolve().bytes()];
-    const fragments = this.fragments(scene, pair);
-    return {pixels, fragments, sample_positions: this.findPositions(scene.target.samples)};
+    /** @type {Rendering} */
+    const rendering = {pixels: [...color.resolve().bytes()]};
+    if (target.depth) rendering.depths = this.depths(target, sums);
+    if (target.stencil) rendering.stencils = this.buffers.stencils(target, sums);
+    rendering.fragments = this.fragments(scene, pair);
+    rendering.hits = this.hits(scene, sums);
+    refuseContradiction(scene, rendering);
+    rendering.sample_positions = this.findPositions(target.samples);
+    return rendering;
+  }
+
+  /** @param {Target} target @param {SampledFramebuffer} sums */
+  depths(target, sums) {
+    const single = this.renderer.targets.find({...target, samples: 1});
+    const depths = this.buffers.depths(target, sums, single);
+    if (!depths) throw new Doubt(`a sample's depth is none that a shader writes to ${target.depth}`);
+    return depths;
+  }
+
+  /** Fragments that are written to each sample, all of sample 0 first.
+   * @param {Scene} scene @param {SampledFramebuffer} sums */
+  hits(scene, sums) {
+    /** @type {number[]} */
+    const hits = [];
+    for (let sample = 0; sample < scene.target.samples; ++sample) {
+      sums.bind();
+      clearAll(this.gl, scene.target, [0, 0, 0, 0]);
+      this.renderer.drawAll(scene, "sample count", HITS, true,
+        (program) => program.integer("sample_number", sample));
+      for (const count of sums.sums(0)) hits.push(count);
+    }
+    return hits;
   }
 
   /** @param {Scene} scene @param {SampledFramebuffer[]} pair */
@@ -128,10 +203,11 @@ class SampleCapture {
     const gl = this.gl;
     into.bind();
     resetState(gl);
-    for (const buffer of [0, 1]) gl.clearBufferfv(gl.COLOR, buffer, [0, 0, 0, 0]);
+    into.images.forEach((_, buffer) => gl.clearBufferfv(gl.COLOR, buffer, [0, 0, 0, 0]));
     gl.activeTexture(gl.TEXTURE0 + ABOVE_UNIT);
     gl.bindTexture(gl.TEXTURE_2D, above && above.resolved.images[0]);
-    this.renderer.drawAll(scene, "samples", ALL, false, (program) => {
+    const kind = tellsCoordinates(scene) ? "sample details" : "samples";
+    this.renderer.drawAll(scene, kind, ALL, false, (program) => {
       program.integer("above", ABOVE_UNIT);
       program.integer("peels", above ? 1 : 0);
       program.integer("sample_number", sample);
@@ -145,8 +221,9 @@ class SampleCapture {
   /** Returns how many fragments it has read. @param {Scene} scene @param {Framebuffer} layer */
   readLayer(scene, layer, sample, found) {
     const {width, height, samples} = scene.target;
-    const places = layer.floats(0).map((number) => number * samples);
-    const colors = layer.floats(1).map((number) => number * samples);
+    const [places, colors, coordinates] = layer.images.map(
+      (_, buffer) => layer.floats(buffer).map((number) => number * samples));
+    const at = (numbers, i) => [...numbers.subarray(4 * i, 4 * i + 4)];
     const primitives = drawsByPrimitive(scene).length;
     let count = 0;
     for (let i = 0; i < width * height; ++i) {
@@ -158,8 +235,9 @@ class SampleCapture {
       ++count;
       const key = `${i} ${number} ${coverage}`;
       const known = found.get(key);
-      const fragment = {x, y, primitive: number - 2, coverage, depth,
-        color: [...colors.subarray(4 * i, 4 * i + 4)]};
+      /** @type {Fragment} */
+      const fragment = {x, y, primitive: number - 2, coverage, depth, color: at(colors, i)};
+      if (coordinates) fragment.coordinates = at(coordinates, i);
       if (!known) found.set(key, {fragment, told: 2 ** sample});
       else if (JSON.stringify(known.fragment) === JSON.stringify(fragment)) known.told += 2 ** sample;
       else throw new Doubt(`the samples of the fragment at pixel (${x}, ${y}) tell different values`);

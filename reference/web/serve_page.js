@@ -9,6 +9,7 @@ class ServePage {
 
   async begin() {
     byId("title").textContent = "Edgecase draws here";
+    byId("progress").hidden = true;
     const problem = this.device.open();
     // First, whether it can draw.
     let line = problem || "ready";

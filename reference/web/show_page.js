@@ -7,7 +7,7 @@
  */
 
 const ZOOMS = [1, 2, 4, 8, 12, 16, 24, 32, 48, 64];
-const LARGEST_PANE = 340;  // CSS pixels that a picture fits into at first
+const MOST_OF_SCREEN = 0.7;  // of its height, for a picture that is not as wide as its room
 
 class Pane {
   /** @param {string} name @param {Scene} scene @param {Answer} rendering */
@@ -21,16 +21,25 @@ class Pane {
     this.canvas = document.createElement("canvas");
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", `What ${name} draws`);
-    const box = document.createElement("div");
-    box.className = "scroll";
-    box.append(this.canvas);
-    this.element.append(caption, box);
+    this.box = document.createElement("div");
+    this.box.className = "scroll";
+    this.box.append(this.canvas);
+    this.element.append(caption, this.box);
   }
 
-  draw(zoom, chosen) {
+  /** The magnification, in CSS pixels, with which the picture fills its room. */
+  fitting() {
     const {width, height} = this.scene.target;
+    const room = this.box.clientWidth;
+    return Math.max(1, Math.min(room / width, Math.max(room, MOST_OF_SCREEN * innerHeight) / height));
+  }
+
+  draw(magnification, chosen) {
+    const {width, height} = this.scene.target;
+    const zoom = Math.ceil(magnification);
     this.canvas.width = width * zoom;
     this.canvas.height = height * zoom;
+    this.canvas.style.width = `${width * magnification}px`;
     const context = this.canvas.getContext("2d");
     for (let y = 0; y < height; ++y)
       for (let x = 0; x < width; ++x) {
@@ -55,8 +64,9 @@ class Pane {
   }
 
   /** The pixel at a place of the canvas. @param {MouseEvent} event */
-  pixelAt(event, zoom) {
-    const {height} = this.scene.target;
+  pixelAt(event) {
+    const {width, height} = this.scene.target;
+    const zoom = this.canvas.clientWidth / width;
     return [Math.floor(event.offsetX / zoom), height - 1 - Math.floor(event.offsetY / zoom)];
   }
 
@@ -76,10 +86,12 @@ class ShowPage {
     this.data = data;
     this.device = new Device();
     this.chosen = null;
+    this.zoom = 0;  // what fits
   }
 
   begin() {
     const {data} = this;
+    byId("progress").hidden = true;
     byId("title").textContent = data.id;
     byId("word").textContent = data.title;
     const problem = this.device.open();
@@ -99,27 +111,28 @@ class ShowPage {
     byId("panes").replaceChildren(...this.panes.map((pane) => pane.element));
     this.addZoom();
     for (const pane of this.panes)
-      pane.canvas.onclick = (event) => this.choose(pane.pixelAt(event, this.zoom));
-    this.setZoom(ZOOMS.filter((zoom) => zoom * Math.max(data.scene.target.width,
-      data.scene.target.height) <= LARGEST_PANE).pop() || 1);
+      pane.canvas.onclick = (event) => this.choose(pane.pixelAt(event));
+    addEventListener("resize", () => this.setZoom(this.zoom));
     this.choose(null);
   }
 
   addZoom() {
-    const button = (text, label, step) => {
+    const button = (text, label, next) => {
       const element = document.createElement("button");
       element.textContent = text;
       element.setAttribute("aria-label", label);
-      element.onclick = () => this.setZoom(
-        ZOOMS[Math.min(ZOOMS.length - 1, Math.max(0, ZOOMS.indexOf(this.zoom) + step))]);
+      element.onclick = () => this.setZoom(next(this.zoom || this.panes[0].fitting()) || this.zoom);
       return element;
     };
-    byId("zoom").replaceChildren(button("\u2212", "smaller", -1), button("+", "larger", 1));
+    byId("zoom").replaceChildren(
+      button("\u2212", "smaller", (now) => ZOOMS.findLast((zoom) => zoom < now)),
+      button("+", "larger", (now) => ZOOMS.find((zoom) => zoom > now)));
   }
 
+  /** @param {number} zoom CSS pixels of one pixel, or 0 for what fits */
   setZoom(zoom) {
     this.zoom = zoom;
-    for (const pane of this.panes) pane.draw(zoom, this.chosen);
+    for (const pane of this.panes) pane.draw(zoom || pane.fitting(), this.chosen);
   }
 
   choose(pixel) {

@@ -91,10 +91,10 @@ function setState(gl, limits, scene, draw, purpose, adds) {
   setPolygons(gl, draw, limits);
   setStencil(gl, draw, purpose !== ALL);
   setDepthTest(gl, draw, target.depth !== undefined, purpose !== ALL);
+  enable(gl, gl.SAMPLE_ALPHA_TO_COVERAGE, purpose !== ALL &&
+    draw.multisampling !== undefined && draw.multisampling.alpha_to_coverage);
   if (purpose === PIXELS) {
     setBlending(gl, draw);
-    enable(gl, gl.SAMPLE_ALPHA_TO_COVERAGE,
-      draw.multisampling !== undefined && draw.multisampling.alpha_to_coverage);
   } else {
     gl.colorMask(true, true, true, true);
     enable(gl, gl.BLEND, adds);

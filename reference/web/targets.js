@@ -97,12 +97,14 @@ class Depth {
     const [format, attachment] = depthStencilStorage(gl, target);
     this.format = format;
     this.attachment = attachment;
-    // A stencil buffer alone cannot be a texture.
-    this.texture = target.depth ? makeTexture(gl, this.format, target.width, target.height) : null;
+    const {samples, width, height} = target;
+    // A stencil buffer alone cannot be a texture, and neither can one of several samples.
+    this.texture = target.depth && samples === 1 ? makeTexture(gl, format, width, height) : null;
     if (this.texture) return;
     this.buffer = gl.createRenderbuffer();
     gl.bindRenderbuffer(gl.RENDERBUFFER, this.buffer);
-    gl.renderbufferStorage(gl.RENDERBUFFER, this.format, target.width, target.height);
+    if (samples === 1) gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height);
+    else gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);
   }
 
   /** To the bound framebuffer. */

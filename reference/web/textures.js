@@ -66,12 +66,17 @@ class Textures {
     const {texture: found, levels} = this.find(texture);
     gl.activeTexture(gl.TEXTURE0 + IMAGE_UNIT);
     gl.bindTexture(gl.TEXTURE_2D, found);
-    // A texture of one level is complete by itself; levels beyond the last of a chain do not exist.
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_BASE_LEVEL, use.base_level);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAX_LEVEL,
-      texture.generated || levels > 1 ? use.max_level : 0);
+    this.setLevels(use, texture.generated ? Infinity : levels);
     this.setSampler(use);
     gl.bindSampler(IMAGE_UNIT, this.sampler);
+  }
+
+  /** Of the bound texture. @param {TextureUse} use */
+  setLevels(use, levels) {
+    const gl = this.gl;
+    // A texture of one level is complete by itself; levels beyond the last of a chain do not exist.
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_BASE_LEVEL, use.base_level);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAX_LEVEL, levels > 1 ? use.max_level : 0);
   }
 
   /** @param {TextureUse} use */

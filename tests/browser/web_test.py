@@ -22,6 +22,11 @@ PATIENCE = 20  # seconds
 SOFTWARE = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 CORE = [SUITE, "--suite", "core", "--shard", "1/32" if IS_QUICK else "1/2"]
 FEW = [f"{SUITE}/triangles/shared-edges", "--filter", "triangles/shared-edges/h*"]
+TOLD_ALIKE = [f"{SUITE}/{name}.json" for name in (
+    "output/depth/at-each-sample", "output/depth/clear-value-at-samples",
+    "output/stencil/at-each-sample", "output/stencil/sample-mask", "samples/depth/at-edges",
+    "samples/attributes/frag-coord-at-samples", "textures/level-of-detail/magnified",
+    "textures/level-of-detail/sixteenths", "textures/level-of-detail/odd-images")][::3 if IS_QUICK else 1]
 # Of a page that was just opened, before it draws.
 SPOILT_SHADER = """(() => {
   const whole = WebGL2RenderingContext.prototype.shaderSource;
@@ -182,6 +187,16 @@ class Page(CommandTest):
         self.browser.ask("page.choose([6, 6])")
         self.assertIn("primitive", self.browser.ask("document.getElementById('counts').textContent"))
 
+    def test_one_case_fills_a_phone(self):
+        page = self.folder / "case.html"
+        self.command("web", "--live", f"{SUITE}/triangles/shared-edges/hole-where-x-is-a-third.json",
+                     "-o", page)
+        self.open(page)
+        widths = self.browser.ask("page.panes.map((pane) => pane.canvas.clientWidth)")
+        self.assertEqual(widths, [390 - 2 * (16 + 1)] * 2)
+        self.assertEqual(self.browser.ask("document.getElementById('progress').clientHeight"), 0)
+        self.assertEqual(self.browser.ask("document.documentElement.scrollWidth"), 390)
+
     def test_each_lie_is_found_out(self):
         page = self.page_of(*FEW)
         for name, lie in LIES.items():
@@ -200,6 +215,22 @@ class Page(CommandTest):
                             if verdict not in ("violation", "not-run")]
                 self.assertLessEqual(len(agreeing), 1 if "another" in name else 0, agreeing)
 
+    def test_samples_that_lie_are_refused(self):
+        """What a page finds of a buffer's samples is proven before any scene is drawn with it."""
+        page = self.page_of(f"{SUITE}/output/depth/at-each-sample.json",
+                            f"{SUITE}/output/stencil/at-each-sample.json", "--shard", "1/4")
+        for place, alteration, reasons in (
+                ("float(1 << gl_SampleID)", "float(1 << (3 - gl_SampleID))",
+                 ["not hold what a buffer without them holds", "not hold the stencils written"]),
+                ("the text of no shader", "", [])):
+            with self.subTest(alteration=alteration):
+                self.open(page, SPOILT_SHADER.replace("FROM", json.dumps(place))
+                          .replace("TO", json.dumps(alteration)))
+                self.draw()
+                found = self.browser.ask("[...page.reasons.keys()].join(' ')")
+                self.assertEqual([one for one in reasons if one not in found], [], found)
+                self.assertEqual(self.counts()["drawn"] > 0, not reasons, found)
+
     @in_full_tier
     def test_an_altered_shader_is_convicted(self):
         page = self.page_of(*FEW)
@@ -213,7 +244,36 @@ class Page(CommandTest):
                 self.assertIn("violation", verdicts(results).values())
 
 
+def answers(lines):
+    """id -> what is drawn, in an order of its own, without what a page does not tell."""
+    found = {}
+    for line in lines.splitlines():
+        answer = json.loads(line)
+        answer.pop("sample_pixels", None)
+        for fragment in answer.get("fragments", ()):
+            for name in [name for name in fragment.get("derivatives", ()) if len(name) > 4]:
+                del fragment["derivatives"][name]
+        answer["fragments"] = sorted(answer.get("fragments", ()), key=json.dumps)
+        found[answer.pop("id")] = answer
+    return found
+
+
 class Live(CommandTest):
+    def rendered(self, renderer):
+        run = self.command("render", *TOLD_ALIKE, "--with", renderer, "--json", "-", expect=None)
+        return answers(run.stdout), run.stderr
+
+    def test_samples_and_levels_are_told_as_by_the_driver_itself(self):
+        """Fragment for fragment: samples with tests and masks, depths, stencils, levels of detail."""
+        told, refusals = self.rendered("webgl:chromium-gl")
+        itself, _ = self.rendered("egl:llvmpipe")
+        self.assertGreater(len(told), len(itself) * 3 / 4, refusals)
+        self.assertEqual([name for name, answer in told.items() if answer != itself[name]], [])
+        fragments = [one for answer in told.values() for one in answer["fragments"]]
+        self.assertTrue(any("level_of_detail" in one for one in fragments))
+        self.assertTrue(any(answer["samples"] > 1 and answer.get(buffer) for buffer in
+                            ("depths", "stencils") for answer in told.values()))
+
     def test_a_browser_is_a_renderer_and_leaves_nothing(self):
         home = self.folder / "tmp"
         home.mkdir()
