@@ -5,6 +5,7 @@ import base64
 import json
 import os
 import pathlib
+import shutil
 import sys
 import tempfile
 import time
@@ -27,6 +28,11 @@ TOLD_ALIKE = [f"{SUITE}/{name}.json" for name in (
     "output/stencil/at-each-sample", "output/stencil/sample-mask", "samples/depth/at-edges",
     "samples/attributes/frag-coord-at-samples", "textures/level-of-detail/magnified",
     "textures/level-of-detail/sixteenths", "textures/level-of-detail/odd-images")][::3 if IS_QUICK else 1]
+FLAT = [f"{SUITE}/{folder}" for folder in ("points", "lines", "triangles")]
+# What webgl:firefox needs, by the name of a program and of Debian's package.
+NEEDED = {"firefox-esr": "firefox-esr", "xvfb-run": "xvfb", "xauth": "xauth"}
+ABSENT = [package for program, package in NEEDED.items()
+          if not shutil.which(program) and not (program == "firefox-esr" and shutil.which("firefox"))]
 # Of a page that was just opened, before it draws.
 SPOILT_SHADER = """(() => {
   const whole = WebGL2RenderingContext.prototype.shaderSource;
@@ -285,6 +291,22 @@ class Live(CommandTest):
         while os.listdir(home) and time.monotonic() < until:
             time.sleep(0.05)
         self.assertEqual(os.listdir(home), [])
+
+    def recorded(self, renderer):
+        """Of a share of the flat cases."""
+        path = self.folder / f"{renderer.replace(':', '-')}.rec"
+        self.command("record", *FLAT, "--shard", "1/8", "--against", renderer, "-o", path, expect=None)
+        run = self.command("render", *FLAT, "--with", f"recording:{path}", "--json", "-", expect=None)
+        return answers(run.stdout)
+
+    @in_full_tier
+    @unittest.skipIf(ABSENT, f"not run: there is no {', no '.join(ABSENT)}; see tools/packages-full.txt")
+    def test_firefox_draws_as_chromium_does(self):
+        """Two browsers upon one driver: what both draw is the same, fragment for fragment."""
+        chromium, firefox = (self.recorded(f"webgl:{name}") for name in ("chromium-gl", "firefox"))
+        both = chromium.keys() & firefox.keys()
+        self.assertGreater(len(both), len(chromium) * 9 / 10)
+        self.assertEqual([name for name in sorted(both) if chromium[name] != firefox[name]], [])
 
     def test_a_missing_browser_is_named(self):
         path = self.write("bin/edgecase-nothing", "")
