@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import shutil
+import subprocess
 import sys
 import tempfile
 import time
@@ -16,7 +17,8 @@ sys.path[:0] = [str(TESTS / "tools"), str(TESTS / "support")]
 
 from browser import Browser  # noqa: E402
 from share import IS_QUICK, in_full_tier  # noqa: E402
-from support import SUITE, UNEXPECTED, CommandTest, verdicts  # noqa: E402
+from support import (BIN, SUITE, UNEXPECTED, CommandTest, environment, only_result,  # noqa: E402
+                     verdicts)
 
 RENDERER_FAILED = 4
 PATIENCE = 20  # seconds
@@ -107,7 +109,10 @@ class Page(CommandTest):
         self.assertIn("Chromium", renderer["traits"]["browser"])
         self.assertEqual(renderer["traits"]["recorded"], "webgl:chromium")
         found = list(verdicts(results).values())
-        self.assertEqual(found.count("violation"), 0, verdicts(results))
+        # SwiftShader's known faults are known of it here, too.
+        red = [case["id"] for case in results["cases"]
+               if only_result(case)["standing"] not in ("expected", "known", "tolerated")]
+        self.assertEqual(red, [])
         self.assertEqual(found.count("not-run"), self.counts()["not supported"])
         self.assertGreater(self.counts()["drawn"], len(found) / 2)
         self.assertLessEqual({url.split(":")[0] for url in self.browser.requests()},
@@ -313,6 +318,29 @@ class Live(CommandTest):
         run = self.command("run", *FEW, "--against", "webgl:firefox", expect=RENDERER_FAILED,
                            PATH=str(path.parent))
         self.assertIn("there is no firefox in PATH", run.stdout + run.stderr)
+
+
+# Begins anew before it answers the first request.
+STARTS_TWICE = """#!/usr/bin/env python3
+import sys, urllib.request
+def sent(body):
+    return urllib.request.urlopen(sys.argv[-1] + "scene", body.encode()).read().decode()
+told = [sent("ready"), sent("ready")]
+told += [sent("answer to " + told[-1])]
+open("told", "w").write(repr(told))
+sent("answer to " + told[-1])
+"""
+
+
+class Reloaded(CommandTest):
+    def test_a_page_that_is_loaded_again_gets_its_request_again(self):
+        self.write("bin/chromium", STARTS_TWICE).chmod(0o755)
+        path = f"{self.folder}/bin:{os.environ['PATH']}"
+        worker = subprocess.run([BIN / "edgecase-webgl", "chromium"], input="one\ntwo\n", text=True,
+                                capture_output=True, cwd=self.folder, timeout=PATIENCE, check=False,
+                                env=environment(PATH=path))
+        self.assertEqual((worker.returncode, worker.stdout), (0, "answer to one\nanswer to two\n"))
+        self.assertEqual((self.folder / "told").read_text(encoding="utf-8"), "['one', 'one', 'two']")
 
 
 if __name__ == "__main__":

@@ -41,10 +41,11 @@ class Worker {
     if (request.path == "lost") end(kEnded, request.body);
     if (request.path != "scene") return "";
     const std::lock_guard lock(mutex_);
+    // A page that begins anew, as when a browser loads it again, has not answered yet.
+    if (is_ready_ && request.body == kReady) return asked_;
     take(request.body);
-    std::string line;
-    if (!std::getline(std::cin, line)) end(0, "");
-    return line;
+    if (!std::getline(std::cin, asked_)) end(0, "");
+    return asked_;
   }
 
   // Ends the browser, and us. Never returns.
@@ -93,6 +94,7 @@ class Worker {
   std::unique_ptr<Browser> browser_;
   std::mutex mutex_;
   bool is_ready_ = false;
+  std::string asked_;  // the latest request
 };
 
 int run(int argc, char** argv) {
