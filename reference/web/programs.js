@@ -196,7 +196,8 @@ class Programs {
   }
 
   /**
-   * @param {string} kind color, count, capture, details, levels (details and those), samples, sample details or sample count
+   * @param {string} kind color, count, capture, details, levels (details and those), samples,
+   *   sample details or sample count
    * @param {Draw} draw whose lookup and location of attributes the program has
    * @param {number} samples of the target
    */

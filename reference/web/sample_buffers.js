@@ -109,7 +109,8 @@ class SampleBuffers {
       }).flat();
       const found = this.depths(target, probe, set);
       set.free();
-      return found && found.every((depth, i) => depth === expected[i]) ? "" : "this device makes a buffer whose samples do not hold what a buffer without them holds";
+      return found && found.every((depth, i) => depth === expected[i]) ? ""
+        : "this device makes a buffer whose samples do not hold what a buffer without them holds";
     });
   }
 
