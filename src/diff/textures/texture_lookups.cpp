@@ -118,11 +118,19 @@ TextureLookups::Gradients TextureLookups::gradients_of(const Fragment& fragment,
   return known_gradients.back().second;
 }
 
+// All differences within the fragment's quad: a part of what is permitted.
+TextureLookups::Gradients TextureLookups::quad_gradients(const Fragment& fragment) {
+  const Gradients lower = gradients_of(fragment, DerivativeMethod::coarse_bottom_left);
+  const Gradients upper = gradients_of(fragment, DerivativeMethod::coarse_top_right);
+  const auto both = [](const IntervalPair& a, const IntervalPair& b) {
+    return IntervalPair{hull(a[0], b[0]), hull(a[1], b[1])};
+  };
+  return {both(lower.dx, upper.dx), both(lower.dy, upper.dy)};
+}
+
 TextureLookups::Gradients TextureLookups::permitted_gradients(const Fragment& fragment,
                                                               Reach reach) {
-  const TextureChoice lawful;
-  if (reach == Reach::near && !context_.values_of(fragment).differ)
-    return gradients_of(fragment, lawful.derivatives);
+  if (reach == Reach::near && !context_.values_of(fragment).differ) return quad_gradients(fragment);
   auto& permitted = primitives_[static_cast<std::size_t>(fragment.primitive)];
   if (!permitted) {
     const PrimitiveValues& values = context_.values_of(fragment);

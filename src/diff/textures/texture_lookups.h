@@ -122,6 +122,7 @@ class TextureLookups {
 
   static SamplerPrecision precision_within(Reach reach);
   Gradients gradients_of(const Fragment& fragment, DerivativeMethod method);
+  Gradients quad_gradients(const Fragment& fragment);
   Gradients permitted_gradients(const Fragment& fragment, Reach reach);
   Gradients asked_gradients(const Fragment& fragment) const;
   Gradients lookup_gradients(const Fragment& fragment, DerivativeMethod method);

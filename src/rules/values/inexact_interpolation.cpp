@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rules/values/inexact_interpolation.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace edgecase {
@@ -11,15 +12,17 @@ WindowPlace place_of(const HomogeneousPoint& p) {
   return {Interval(static_cast<double>(p.x)) / w, Interval(static_cast<double>(p.y)) / w};
 }
 
-std::size_t count_of(const Interpolant& f) {
-  return static_cast<std::size_t>(vertices_of(f.kind));
-}
-
-Interval weighted_sum(const Interpolant& f, const Shares& shares) {
-  Interval sum = 0;
-  for (std::size_t i = 0; i < count_of(f); ++i)
+template <class Number>
+Number weighted_sum(const Interpolant& f, const SharesOf<Number>& shares) {
+  Number sum{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(vertices_of(f.kind)); ++i)
     sum = kInexact.add(sum, kInexact.multiply(shares[i], f.values[i]));
   return sum;
+}
+
+template <class Number>
+Number mean_over_w(const Interpolant& f, const OverW<Number>& over_w) {
+  return kInexact.divide(weighted_sum(f, over_w.shares), over_w.total);
 }
 
 }  // namespace
@@ -30,24 +33,6 @@ WindowPlace place_of(Point point) {
 
 WindowPlaces places_of(const Interpolant& f) {
   return {place_of(f.positions[0]), place_of(f.positions[1]), place_of(f.positions[2])};
-}
-
-Interval area_of(const Inexact& op, const WindowPlace& a, const WindowPlace& b,
-                 const WindowPlace& p) {
-  const Interval ax = op.subtract(a[0], p[0]);
-  const Interval ay = op.subtract(a[1], p[1]);
-  const Interval bx = op.subtract(b[0], p[0]);
-  const Interval by = op.subtract(b[1], p[1]);
-  return op.subtract(op.multiply(ax, by), op.multiply(ay, bx));
-}
-
-SharesOverW divided_by_w(const Interpolant& f, const Shares& shares) {
-  SharesOverW result;
-  for (std::size_t i = 0; i < count_of(f); ++i) {
-    result.shares[i] = kInexact.divide(shares[i], f.w[i]);
-    result.total = kInexact.add(result.total, result.shares[i]);
-  }
-  return result;
 }
 
 Interval inexact_mean(const Interpolant& f, const Shares& shares) {
@@ -67,7 +52,7 @@ Interval inexact_mean(const Interpolant& f, const Shares& shares) {
 }
 
 Interval inexact_mean(const Interpolant& f, const SharesOverW& over_w) {
-  return kInexact.divide(weighted_sum(f, over_w.shares), over_w.total);
+  return mean_over_w(f, over_w);
 }
 
 namespace {
@@ -231,22 +216,30 @@ MovedVertices::MovedVertices(const Interpolant& primitive, double reach)
 }
 
 void MovedVertices::move_triangle(double reach) {
+  std::array<Moved, 3> moved;
   for (std::size_t vertex = 0; vertex < 3; ++vertex)
     for (std::size_t move = 0; move < 4; ++move)
       for (std::size_t axis = 0; axis < 2; ++axis)
-        moved_[vertex][move][axis] =
+        moved[vertex][move][axis] =
             unmoved_[vertex][axis] + ((move >> axis & 1U) != 0 ? reach : -reach);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t edge = 0; edge < kEdges; ++edge)
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        edges_[i].from[axis].set(edge, moved[next(i)][edge & 3][axis]);
+        edges_[i].to[axis].set(edge, moved[next(next(i))][edge >> 2][axis]);
+      }
   const auto area = [](const Inexact& op, const WindowPlace& a, const WindowPlace& b,
                        const WindowPlace& c) { return area_of(op, b, c, a); };
   area_ = area(kInexact, unmoved_[0], unmoved_[1], unmoved_[2]);
   is_above_zero_ = area(kExactly, unmoved_[0], unmoved_[1], unmoved_[2]).low > 0;
   for (std::size_t corner = 0; corner < kCorners; ++corner) {
-    const WindowPlace& a = moved_[0][move_of(corner, 0)];
-    const WindowPlace& b = moved_[1][move_of(corner, 1)];
-    const WindowPlace& c = moved_[2][move_of(corner, 2)];
-    areas_[corner] = area(kInexact, a, b, c);
+    const WindowPlace& a = moved[0][move_of(corner, 0)];
+    const WindowPlace& b = moved[1][move_of(corner, 1)];
+    const WindowPlace& c = moved[2][move_of(corner, 2)];
+    areas_.set(corner, area(kInexact, a, b, c));
     if ((area(kExactly, a, b, c).low > 0) != is_above_zero_) is_steady_ = false;
   }
+  all_areas_ = hull(area_, hull_of(areas_));
 }
 
 // ------------------------------------------------------------------------------------ moved shares
@@ -256,23 +249,19 @@ MovedShares::MovedShares(const MovedVertices& vertices, Point sample)
   if (!vertices_.is_steady_) return;
   unmoved_ = triangle_shares(vertices_.unmoved_, sample_);
   areas_ = areas(kInexact);
-  for (std::size_t corner = 0; corner < MovedVertices::kCorners; ++corner)
-    for (std::size_t i = 0; i < 3; ++i)
-      shares_[corner][i] = kInexact.divide(areas_[i][edge_of(corner, i)], vertices_.areas_[corner]);
+  for (std::size_t i = 0; i < 3; ++i) shares_[i] = kInexact.divide(areas_[i], vertices_.areas_);
 }
 
-std::size_t MovedShares::edge_of(std::size_t corner, std::size_t opposite) {
-  const std::size_t from = next(opposite);
-  return MovedVertices::move_of(corner, from) | MovedVertices::move_of(corner, next(from)) << 2;
-}
-
-MovedShares::Areas MovedShares::areas(const Inexact& op) const {
-  Areas result;
+SharesOf<MovedShares::Corners> MovedShares::areas(const Inexact& op) const {
+  SharesOf<Corners> result;
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t from = next(i);
-    for (std::size_t edge = 0; edge < 16; ++edge)
-      result[i][edge] = area_of(op, vertices_.moved_[from][edge & 3],
-                                vertices_.moved_[next(from)][edge >> 2], sample_);
+    const auto& [from, to] = vertices_.edges_[i];
+    const MovedVertices::Edges of_edges = area_of(op, from, to, sample_);
+    for (std::size_t corner = 0; corner < MovedVertices::kCorners; ++corner) {
+      const std::size_t edge = MovedVertices::move_of(corner, next(i)) |
+                               MovedVertices::move_of(corner, next(next(i))) << 2;
+      result[i].set(corner, of_edges[edge]);
+    }
   }
   return result;
 }
@@ -287,67 +276,42 @@ bool MovedShares::is_steady(const Interpolant& f) const {
 }
 
 bool MovedShares::total_keeps_sign(const Interpolant& f) const {
-  const auto is_above_zero = [&](const std::array<Interval, 3>& a) {
-    return (a[0] / f.w[0] + a[1] / f.w[1] + a[2] / f.w[2]).low > 0;
+  const auto total_of = [&](const auto& areas) {
+    return areas[0] / f.w[0] + areas[1] / f.w[1] + areas[2] / f.w[2];
   };
   const WindowPlaces& v = vertices_.unmoved_;
-  const bool unmoved =
-      is_above_zero({area_of(kExactly, v[1], v[2], sample_), area_of(kExactly, v[2], v[0], sample_),
-                     area_of(kExactly, v[0], v[1], sample_)});
-  const Areas exact = areas(kExactly);
-  for (std::size_t corner = 0; corner < MovedVertices::kCorners; ++corner)
-    if (is_above_zero({exact[0][edge_of(corner, 0)], exact[1][edge_of(corner, 1)],
-                       exact[2][edge_of(corner, 2)]}) != unmoved)
-      return false;
-  return true;
-}
-
-const std::vector<SharesOverW>& MovedShares::over_w(const Interpolant& f) const {
-  if (!over_w_.empty()) return over_w_;
-  over_w_.reserve(1 + shares_.size());
-  over_w_.push_back(divided_by_w(f, unmoved_));
-  for (const Shares& shares : shares_) over_w_.push_back(divided_by_w(f, shares));
-  return over_w_;
+  const Shares unmoved = {area_of(kExactly, v[1], v[2], sample_),
+                          area_of(kExactly, v[2], v[0], sample_),
+                          area_of(kExactly, v[0], v[1], sample_)};
+  const bool is_above_zero = total_of(unmoved).low > 0;
+  return std::ranges::all_of(total_of(areas(kExactly)).low,
+                             [&](double low) { return (low > 0) == is_above_zero; });
 }
 
 Interval MovedShares::mean(const Interpolant& f) const {
   if (!is_steady(f)) return Interval::everything();
-  if (has_perspective(f)) {
-    const std::vector<SharesOverW>& all = over_w(f);
-    Interval result = inexact_mean(f, all.front());
-    for (const SharesOverW& shares : all) result = hull(result, inexact_mean(f, shares));
-    return result;
+  if (!has_perspective(f))
+    return hull(inexact_mean(f, unmoved_), hull_of(weighted_sum(f, shares_)));
+  if (!over_w_) {
+    unmoved_over_w_ = divided_by_w(f, unmoved_);
+    over_w_ = divided_by_w(f, shares_);
   }
-  Interval result = inexact_mean(f, unmoved_);
-  for (const Shares& shares : shares_) result = hull(result, inexact_mean(f, shares));
-  return result;
+  return hull(inexact_mean(f, *unmoved_over_w_), hull_of(mean_over_w(f, *over_w_)));
 }
 
 Interval MovedShares::total(const Interpolant& f) const {
   if (!is_steady(f)) return Interval::everything();
-  if (!has_perspective(f)) return plain_total();
+  if (!has_perspective(f)) return vertices_.all_areas_;
   if (!total_over_w_) total_over_w_ = total_over_w(f);
   return *total_over_w_;
 }
 
-Interval MovedShares::plain_total() const {
-  Interval result = vertices_.area_;
-  for (const Interval area : vertices_.areas_) result = hull(result, area);
-  return result;
-}
-
 Interval MovedShares::total_over_w(const Interpolant& f) const {
   const WindowPlaces& v = vertices_.unmoved_;
-  Interval result = divided_by_w(f, {area_of(kInexact, v[1], v[2], sample_),
-                                     area_of(kInexact, v[2], v[0], sample_),
-                                     area_of(kInexact, v[0], v[1], sample_)})
-                        .total;
-  for (std::size_t corner = 0; corner < MovedVertices::kCorners; ++corner)
-    result =
-        hull(result, divided_by_w(f, {areas_[0][edge_of(corner, 0)], areas_[1][edge_of(corner, 1)],
-                                      areas_[2][edge_of(corner, 2)]})
-                         .total);
-  return result;
+  const Shares unmoved = {area_of(kInexact, v[1], v[2], sample_),
+                          area_of(kInexact, v[2], v[0], sample_),
+                          area_of(kInexact, v[0], v[1], sample_)};
+  return hull(divided_by_w(f, unmoved).total, hull_of(divided_by_w(f, areas_).total));
 }
 
 // --------------------------------------------------------------------------------- permitted place

@@ -7,20 +7,38 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "exact/interval.h"
+#include "exact/interval_lanes.h"
 #include "rules/values/interpolation.h"
 
 namespace edgecase {
 
-// Arithmetic in which every result may be off by a relative amount.
+// Arithmetic in which every result may be off by a relative amount: of intervals, or of lanes of
+// them with one interval or as many.
 struct Inexact {
   double relative;
   Interval add(Interval a, Interval b) const { return widened(a + b, relative); }
   Interval subtract(Interval a, Interval b) const { return widened(a - b, relative); }
   Interval multiply(Interval a, Interval b) const { return widened(a * b, relative); }
   Interval divide(Interval a, Interval b) const { return widened(a / b, relative); }
+
+  template <std::size_t N>
+  IntervalLanes<N> add(const IntervalLanes<N>& a, const IntervalLanes<N>& b) const {
+    return by_lane(LaneOperation::add, a, b, relative);
+  }
+  template <std::size_t N, class Operand>
+  IntervalLanes<N> subtract(const IntervalLanes<N>& a, const Operand& b) const {
+    return by_lane(LaneOperation::subtract, a, b, relative);
+  }
+  template <std::size_t N, class Operand>
+  IntervalLanes<N> multiply(const IntervalLanes<N>& a, const Operand& b) const {
+    return by_lane(LaneOperation::multiply, a, b, relative);
+  }
+  template <std::size_t N, class Operand>
+  IntervalLanes<N> divide(const IntervalLanes<N>& a, const Operand& b) const {
+    return by_lane(LaneOperation::divide, a, b, relative);
+  }
 };
 
 // The floating-point clause: relative error that one operation may have.
@@ -32,19 +50,39 @@ using WindowPlaces = std::array<WindowPlace, 3>;
 WindowPlace place_of(Point point);
 WindowPlaces places_of(const Interpolant& f);
 
-// One per vertex; their sum is about 1.
-using Shares = std::array<Interval, 3>;
+// One per vertex; their sum is about 1. `Number`: an interval, or lanes of them.
+template <class Number>
+using SharesOf = std::array<Number, 3>;
+using Shares = SharesOf<Interval>;
 
 // Twice the area of a triangle, above 0 if a, b and p lie counter-clockwise.
-Interval area_of(const Inexact& op, const WindowPlace& a, const WindowPlace& b,
-                 const WindowPlace& p);
+template <class Number>
+Number area_of(const Inexact& op, const std::array<Number, 2>& a, const std::array<Number, 2>& b,
+               const WindowPlace& p) {
+  const Number ax = op.subtract(a[0], p[0]);
+  const Number ay = op.subtract(a[1], p[1]);
+  const Number bx = op.subtract(b[0], p[0]);
+  const Number by = op.subtract(b[1], p[1]);
+  return op.subtract(op.multiply(ax, by), op.multiply(ay, bx));
+}
 
 // The shares, each divided by its w, and their sum.
-struct SharesOverW {
-  Shares shares;
-  Interval total;
+template <class Number>
+struct OverW {
+  SharesOf<Number> shares;
+  Number total;
 };
-SharesOverW divided_by_w(const Interpolant& f, const Shares& shares);
+using SharesOverW = OverW<Interval>;
+
+template <class Number>
+OverW<Number> divided_by_w(const Interpolant& f, const SharesOf<Number>& shares) {
+  OverW<Number> result;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(vertices_of(f.kind)); ++i) {
+    result.shares[i] = kInexact.divide(shares[i], f.w[i]);
+    result.total = kInexact.add(result.total, result.shares[i]);
+  }
+  return result;
+}
 
 // The mean by these shares: along a line without division by w, as equation 14.7 has it, or
 // starting from the first vertex, as it can be read too.
@@ -91,22 +129,30 @@ class MovedVertices {
   friend class MovedShares;
 
   static constexpr std::size_t kCorners = 64;
+  static constexpr std::size_t kEdges = 16;
+  using Corners = IntervalLanes<kCorners>;
+  using Edges = IntervalLanes<kEdges>;
   // One vertex: bits 0 and 1 of the index tell whether x and y have grown. A corner's index has
-  // those of the first vertex lowest.
+  // those of the first vertex lowest; an edge's, those of its first end.
   using Moved = std::array<WindowPlace, 4>;
   static std::size_t move_of(std::size_t corner, std::size_t vertex) {
     return corner >> 2 * vertex & 3;
   }
+  // An edge's ends, by its moves.
+  struct Edge {
+    std::array<Edges, 2> from, to;
+  };
 
   void move_triangle(double reach);
 
   WindowPlaces unmoved_;
   WindowPlaces grown_;
-  std::array<Moved, 3> moved_;
-  Interval area_;                         // in inexact arithmetic, of the whole triangle
-  std::array<Interval, kCorners> areas_;  // the same by corner
-  bool is_steady_ = true;                 // all areas have one sign, exactly
-  bool is_above_zero_ = false;            // the sign, if they have one
+  std::array<Edge, 3> edges_;   // by the vertex opposite to each
+  Interval area_;               // in inexact arithmetic, of the whole triangle
+  Corners areas_;               // the same by corner
+  Interval all_areas_;          // the hull of both
+  bool is_steady_ = true;       // all areas have one sign, exactly
+  bool is_above_zero_ = false;  // the sign, if they have one
 };
 
 // The shares of a triangle's vertices at one sample, by corner.
@@ -128,26 +174,22 @@ class MovedShares {
   Interval total(const Interpolant& f) const;
 
  private:
-  // By the vertex opposite to an area's edge, and the moves of the next vertex and of the one
-  // after.
-  using Areas = std::array<std::array<Interval, 16>, 3>;
+  using Corners = MovedVertices::Corners;
 
-  static std::size_t edge_of(std::size_t corner, std::size_t opposite);
-  Areas areas(const Inexact& op) const;
+  SharesOf<Corners> areas(const Inexact& op) const;
   bool is_steady(const Interpolant& f) const;
   bool total_keeps_sign(const Interpolant& f) const;
-  const std::vector<SharesOverW>& over_w(const Interpolant& f) const;
-  Interval plain_total() const;
   Interval total_over_w(const Interpolant& f) const;
 
   const MovedVertices& vertices_;
   WindowPlace sample_;
-  Areas areas_;
+  SharesOf<Corners> areas_;  // by the vertex opposite to each
   Shares unmoved_;
-  std::array<Shares, MovedVertices::kCorners> shares_;
+  SharesOf<Corners> shares_;
   // For the one w, computed on demand.
   mutable std::optional<bool> total_keeps_sign_;
-  mutable std::vector<SharesOverW> over_w_;  // of the unmoved vertices, and by corner
+  mutable std::optional<SharesOverW> unmoved_over_w_;
+  mutable std::optional<OverW<Corners>> over_w_;
   mutable std::optional<Interval> total_over_w_;
 };
 
