@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <deque>
 #include <future>
@@ -23,6 +24,17 @@ void run_threads(std::size_t count, const Work& work) {
     threads.push_back(std::async(std::launch::async, [&work, i] { work(i); }));
   for (const std::future<void>& thread : threads) thread.wait();
   for (std::future<void>& thread : threads) thread.get();
+}
+
+// Calls work(i) for each i below `count`, in any order, on a thread for each processor. Throws what
+// one of them throws.
+template <class Work>
+void for_each_index(std::size_t count, const Work& work) {
+  std::atomic<std::size_t> next = 0;
+  const std::size_t processors = std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
+  run_threads(std::min(processors, count), [&](std::size_t) {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  });
 }
 
 // Values that threads make in advance, and one thread takes in the order in which they were

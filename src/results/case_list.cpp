@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <mutex>
 
 #include "wire/binary.h"
 
@@ -221,6 +222,8 @@ void CaseList::merge(CaseList other) {
 }
 
 const std::shared_ptr<Shelf>& CaseList::own_shelf() {
+  static std::mutex making;
+  const std::lock_guard lock(making);
   if (shelf_ == nullptr) shelf_ = std::make_shared<Shelf>();
   return shelf_;
 }

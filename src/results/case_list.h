@@ -100,7 +100,8 @@ class ListIterator {
   std::size_t index_ = 0;
 };
 
-// A list of cases as values: reading one makes a copy. Several threads may read.
+// A list of cases as values: reading one makes a copy. Several threads may read, and each replace
+// another case.
 class CaseList {
  public:
   CaseList() = default;

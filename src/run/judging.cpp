@@ -6,6 +6,7 @@
 #include <string>
 
 #include "diff/coverage/legality.h"
+#include "model/threads.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {
@@ -17,9 +18,12 @@ constexpr const char* kReading = "lines read with snap, ";
 
 RunReadings read_all(const CaseList& cases) {
   std::map<ReadingKey, RunReader> readers;
-  for (const CaseResults& one : cases)
-    for (std::size_t r = 0; r < one.results.size(); ++r)
-      readers[{r, one.surface}].add(one.results[r]);
+  make_in_order(
+      cases.size(), [&](std::size_t i) { return cases.whole(i); },
+      [&](std::size_t, const CaseResults& one) {
+        for (std::size_t r = 0; r < one.results.size(); ++r)
+          readers[{r, one.surface}].add(one.results[r]);
+      });
   RunReadings readings;
   for (const auto& [key, reader] : readers) readings.emplace(key, reader.reading());
   return readings;
@@ -31,7 +35,7 @@ void judge_all(Results& results) {
     std::erase_if(info.traits, [](const auto& trait) { return is_of_judging(trait.first); });
   for (const auto& [key, reading] : readings)
     results.renderers[key.first].traits[kReading + key.second] = reading.line_snap;
-  for (std::size_t i = 0; i < results.cases.size(); ++i) {
+  for_each_index(results.cases.size(), [&](std::size_t i) {
     CaseResults one = results.cases[i];
     bool differs = false;
     for (std::size_t r = 0; r < one.results.size(); ++r) {
@@ -42,7 +46,7 @@ void judge_all(Results& results) {
     }
     // If everything agrees, judging changes only the outline.
     if (differs) results.cases.replace(i, one);
-  }
+  });
 }
 
 bool is_of_judging(const std::string& trait) {

@@ -29,9 +29,9 @@
 namespace edgecase {
 namespace {
 
-// The weight of fifty cases of 64x64. Threads end within one slice of each other, and the wait at
+// The weight of twenty cases of 100x100. Threads end within one slice of each other, and the wait at
 // the end of a slice is a small part of it.
-constexpr SliceLimits kSlice{std::size_t{1} << 18, 50};
+constexpr SliceLimits kSlice{std::size_t{1} << 18, 20};
 
 // A case of this weight takes a hundred times the memory of a small one.
 constexpr std::size_t kLarge = std::size_t{1} << 17;
@@ -77,45 +77,49 @@ bool is_large(const CaseStore& cases, const CaseSlice& slice) {
   return slice.end - slice.begin == 1 && cases.weight(slice.begin) >= kLarge;
 }
 
-// All renderers get as many slices as there are threads before any gets more: then few exact
-// renderings wait for the last renderer, and no two threads wait for the same one.
-std::vector<Share> shares_of(const CaseStore& cases, std::size_t renderers, std::size_t jobs) {
-  const std::vector<CaseSlice> slices = cut_cases(cases, kSlice);
+// All renderers draw a slice, one after the other, before the next one: then few exact renderings
+// wait for the last renderer.
+std::vector<Share> shares_of(const CaseStore& cases, std::size_t renderers) {
   std::vector<Share> shares;
-  for (std::size_t begin = 0; begin < slices.size(); begin += jobs)
+  for (const CaseSlice& slice : cut_cases(cases, kSlice))
     for (std::size_t r = 0; r < renderers; ++r)
-      for (std::size_t i = begin; i < std::min(begin + jobs, slices.size()); ++i)
-        shares.push_back({r, slices[i], is_large(cases, slices[i])});
+      shares.push_back({r, slice, is_large(cases, slice)});
   return shares;
 }
 
 // Hands out shares to threads: to one thread in order; to several the large ones first, a few at a
-// time, which takes least memory and leaves no large one to the end. Safe to use from several
-// threads.
+// time, which takes least memory and leaves no large one to the end. Each thread has a stretch of
+// the others, since neighbours repeat the programs and states that its renderers have made already;
+// when it is done, it takes from the end of the longest stretch that is left. Safe to use from
+// several threads.
 class ShareQueue {
  public:
   ShareQueue(std::vector<Share> shares, std::size_t jobs)
       : shares_(std::move(shares)), most_large_(std::max<std::size_t>(1, jobs / 2)) {
-    if (jobs == 1) return;
-    const auto others = std::stable_partition(shares_.begin(), shares_.end(),
-                                              [](const Share& share) { return share.is_large; });
-    next_ = large_end_ = static_cast<std::size_t>(others - shares_.begin());
-    // All renderers draw a large case one after the other: each answer waits for the last one.
-    std::stable_sort(shares_.begin(), others,
-                     [](const Share& a, const Share& b) { return a.cases.begin < b.cases.begin; });
+    if (jobs > 1)
+      large_end_ = static_cast<std::size_t>(
+          std::stable_partition(shares_.begin(), shares_.end(),
+                                [](const Share& share) { return share.is_large; }) -
+          shares_.begin());
+    const std::size_t others = shares_.size() - large_end_;
+    for (std::size_t i = 0; i < jobs; ++i)
+      stretches_.push_back({large_end_ + i * others / jobs, large_end_ + (i + 1) * others / jobs});
   }
 
   std::size_t size() const { return shares_.size(); }
 
-  // Nothing if no share may be begun now; the thread then ends.
-  std::optional<Share> take() {
+  // `thread`: from 0, below `jobs`. Nothing if no share may be begun now; the thread then ends.
+  std::optional<Share> take(std::size_t thread) {
     const std::lock_guard lock(mutex_);
     if (next_large_ < large_end_ && large_ < most_large_) {
       ++large_;
       return shares_[next_large_++];
     }
-    if (next_ == shares_.size()) return std::nullopt;
-    return shares_[next_++];
+    Stretch& own = stretches_[thread];
+    if (own.left() > 0) return shares_[own.begin++];
+    Stretch& longest = *std::ranges::max_element(stretches_, {}, &Stretch::left);
+    if (longest.left() == 0) return std::nullopt;
+    return shares_[--longest.end];
   }
 
   // A share that was taken is done.
@@ -129,18 +133,24 @@ class ShareQueue {
   // Nothing is handed out any more.
   void close() {
     const std::lock_guard lock(mutex_);
-    next_ = shares_.size();
+    stretches_.assign(stretches_.size(), {});
     next_large_ = large_end_;
   }
 
  private:
+  struct Stretch {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::size_t left() const { return end - begin; }
+  };
+
   std::mutex mutex_;
   std::vector<Share> shares_;
   const std::size_t most_large_;  // at a time
   std::size_t large_ = 0;         // that are being done
   std::size_t next_large_ = 0;
   std::size_t large_end_ = 0;
-  std::size_t next_ = 0;  // of the others
+  std::vector<Stretch> stretches_;  // of the others, by thread
 };
 
 class Run {
@@ -161,8 +171,8 @@ class Run {
 
   Results operator()() {
     const auto jobs = static_cast<std::size_t>(std::max(1, options_.jobs));
-    ShareQueue shares(shares_of(suite_.cases, options_.renderers.size(), jobs), jobs);
-    run_threads(std::min(jobs, shares.size()), [&](std::size_t) { work(shares); });
+    ShareQueue shares(shares_of(suite_.cases, options_.renderers.size()), jobs);
+    run_threads(std::min(jobs, shares.size()), [&](std::size_t thread) { work(shares, thread); });
     if (enough_) finish_begun_cases();
     return collect();
   }
@@ -172,11 +182,11 @@ class Run {
 
   bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
-  void work(ShareQueue& shares) {
+  void work(ShareQueue& shares, std::size_t thread) {
     Renderers own;
     try {
       while (!stopped() && !enough_) {
-        const std::optional<Share> share = shares.take();
+        const std::optional<Share> share = shares.take(thread);
         if (!share) return;
         std::vector<std::size_t> cases(share->cases.end - share->cases.begin);
         std::iota(cases.begin(), cases.end(), share->cases.begin);

@@ -16,6 +16,7 @@
 #include "casefile/json/text.h"
 #include "casefile/loader.h"
 #include "model/text.h"
+#include "model/threads.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {
@@ -342,9 +343,14 @@ Suite load_suite(const Selection& selection) {
   suite.diagnostics = selection.diagnostics;
   append(found.diagnostics, suite.diagnostics);
   PartsKeeper keeper;
-  for (const CaseFile& file : found.cases) {
-    if (!may_be_wanted(selection, file.id) || !may_be_named(selection, file)) continue;
-    LoadedCases loaded = load_cases(file.file, file.id, rules);
+  std::erase_if(found.cases, [&](const CaseFile& file) {
+    return !may_be_wanted(selection, file.id) || !may_be_named(selection, file);
+  });
+  const auto load = [&](std::size_t i) {
+    return load_cases(found.cases[i].file, found.cases[i].id, rules);
+  };
+  make_in_order(found.cases.size(), load, [&](std::size_t i, LoadedCases loaded) {
+    const CaseFile& file = found.cases[i];
     append(loaded.diagnostics, suite.diagnostics);
     append(loaded.notes, suite.notes);
     if (const auto parts = selection.parts.find(file.file);
@@ -354,7 +360,7 @@ Suite load_suite(const Selection& selection) {
       if (wanted_id(selection, file.id, one.id) && wanted_tags(selection, one) &&
           is_named(selection, one))
         suite.cases.push_back(std::move(one));
-  }
+  });
   const std::size_t in_files = suite.diagnostics.size() - selection.diagnostics.size();
   keeper.tell(suite.diagnostics);
   suite.is_misspelt = suite.cases.empty() && in_files == 0 && !suite.diagnostics.empty();
