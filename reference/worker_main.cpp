@@ -21,10 +21,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "reference/bench_service.h"
@@ -162,6 +165,13 @@ int print_devices() {
   return write_line(output, std::to_string(count_egl_devices())) ? 0 : kUsageError;
 }
 
+// Mesa makes the last folder of its cache, but none above it. Without it there is no cache.
+void make_cache_folder() {
+  const char* const folder = std::getenv("MESA_SHADER_CACHE_DIR");
+  std::error_code ignored;
+  if (folder != nullptr) std::filesystem::create_directories(folder, ignored);
+}
+
 int run(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   const auto has_last = [&](const char* option) {
@@ -184,6 +194,7 @@ int run(int argc, char** argv) {
     return complain(kUnavailable, missing);
   std::FILE* output = take_standard_output();
   if (output == nullptr) return complain(kUsageError, "there is no standard output");
+  make_cache_folder();
   ContextResult opened = open_context(arguments[0]);
   if (const auto* error = std::get_if<ContextError>(&opened))
     return complain(kUnavailable, error->message);

@@ -90,9 +90,9 @@ Interval TextureAxis::decided(const Rational& value, TexelBorders borders,
   return narrow;
 }
 
-Interval TextureAxis::place(Point sample, TexelBorders borders, std::span<const int> sizes,
-                            const Rational& further) {
-  const Interval narrow = exact_sum(value(sample), interval_of(further));
+Interval TextureAxis::place(Point sample, Interval value, TexelBorders borders,
+                            std::span<const int> sizes, const Rational& further) {
+  const Interval narrow = exact_sum(value, interval_of(further));
   if (!is_open(narrow, borders, sizes) || !rational()) return narrow;
   const std::optional<Rational> exact = rational()->at(sample);
   return exact ? decided(*exact + further, borders, sizes) : narrow;

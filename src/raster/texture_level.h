@@ -45,12 +45,12 @@ class TextureAxis {
   const Interpolant& coordinate() const { return coordinate_; }
   Interval value(Point sample) const { return interpolate_exact(coordinate_, sample); }
 
-  // The coordinate to look up at a sample, plus `further`: an interval on one side of every border
-  // of levels with these `sizes` in texels. It holds the number unless that lies closer to a border
-  // than doubles resolve. A number that is no double and lies at least 2^20 from 0 is replaced by
-  // an equivalent one, under the wrap mode, near 0. An interval narrower than 2^-40 that touches no
-  // border is returned unchanged.
-  Interval place(Point sample, TexelBorders borders, std::span<const int> sizes,
+  // The coordinate to look up at a sample, where it has this value(), plus `further`: an interval
+  // on one side of every border of levels with these `sizes` in texels. It holds the number unless
+  // that lies closer to a border than doubles resolve. A number that is no double and lies at least
+  // 2^20 from 0 is replaced by an equivalent one, under the wrap mode, near 0. An interval narrower
+  // than 2^-40 that touches no border is returned unchanged.
+  Interval place(Point sample, Interval value, TexelBorders borders, std::span<const int> sizes,
                  const Rational& further);
 
   // Nothing in the cases named in rational_interpolation.h.

@@ -133,7 +133,7 @@ bool have_same_sizes(const std::vector<TextureLevel>& a, const std::vector<Textu
 }  // namespace
 
 TextureStage::TextureStage(const Scene& scene, const RuleChoices& choices)
-    : scene_(scene), choices_(choices) {
+    : scene_(scene), choices_(choices), coordinates_(scene.target.width) {
   const TextureChoice& choice = choices.textures;
   const MipmapMethod& method = choice.mipmap;
   for (std::size_t i = 0; i < scene.textures.size(); ++i) {

@@ -16,6 +16,7 @@
 #include "raster/attributes.h"
 #include "rules/choices.h"
 #include "rules/textures/texture_image.h"
+#include "rules/values/derivative.h"
 
 namespace edgecase {
 
@@ -92,6 +93,7 @@ struct ExactLookup {
   Texel color;  // a few units of double precision wide
 };
 
+// For one thread.
 class TextureStage {
  public:
   // `scene` and `choices` must outlive the stage. Generated chains are those of the policy.
@@ -111,9 +113,15 @@ class TextureStage {
   // The chains in use, for textures with generated levels.
   const std::map<std::size_t, std::vector<TextureLevel>>& chains() const { return chains_; }
 
+  // The texture coordinates of its primitives, each of which takes a number.
+  ExactCoordinates& coordinates() const { return coordinates_; }
+  int next_number() const { return number_++; }
+
  private:
   const Scene& scene_;
   const RuleChoices& choices_;
+  mutable ExactCoordinates coordinates_;
+  mutable int number_ = 0;
   std::vector<DecodedTexture> decoded_;
   std::map<std::size_t, std::vector<TextureLevel>> chains_;
 };

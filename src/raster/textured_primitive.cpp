@@ -51,6 +51,12 @@ Texel weighted(const std::vector<Texel>& colors, const std::vector<Probe>& probe
 }  // namespace
 
 class TexturedPrimitive::Lookups {
+  // Where s and t are interpolated, and what they are there.
+  struct Place {
+    Point sample;
+    std::array<Interval, 2> coordinates;
+  };
+
  public:
   Lookups(const TextureStage& stage, const ScenePrimitive& primitive,
           const PrimitiveAttributes& attributes);
@@ -72,8 +78,10 @@ class TexturedPrimitive::Lookups {
   Footprint footprint_at(const QuadPixel& at) const;
   std::optional<RationalFootprint> derivatives_at(const QuadPixel& at);
   Texel color_at(const TexturePoint& point, const Level& level) const;
-  Interval place(std::size_t axis, Point sample, const Level& level, const Rational& further = 0);
-  TexturePoint probe_point(Point sample, const Level& level, std::size_t probe);
+  std::array<Interval, 2> coordinates_at(PixelPosition pixel, Point sample) const;
+  Interval place(std::size_t axis, const Place& at, const Level& level,
+                 const Rational& further = 0);
+  TexturePoint probe_point(const Place& at, const Level& level, std::size_t probe);
   RationalFootprint texels(const RationalFootprint& derivatives) const;
   const DecodedLevel& image(int level) const {
     return decoded_.levels[static_cast<std::size_t>(std::min(level, last_))];
@@ -88,6 +96,8 @@ class TexturedPrimitive::Lookups {
   const TextureUse& use_;
   const Texture& texture_;
   const DecodedTexture& decoded_;
+  ExactCoordinates& known_;  // the stage's
+  int number_;               // among the stage's primitives
   int last_;
   std::array<TextureAxis, 2> axes_;
   std::optional<Level> given_;  // from the shader
@@ -105,6 +115,8 @@ TexturedPrimitive::Lookups::Lookups(const TextureStage& stage, const ScenePrimit
       use_(*primitive.state->texture),
       texture_(*stage.scene().textures.at(use_.texture)),
       decoded_(stage.decoded(use_.texture)),
+      known_(stage.coordinates()),
+      number_(stage.next_number()),
       last_(last_level_of(decoded_, use_.sampler, texture_)),
       axes_{TextureAxis(attributes.color[0], use_.sampler.wrap[0]),
             TextureAxis(attributes.color[1], use_.sampler.wrap[1])},
@@ -116,8 +128,8 @@ RationalFootprint TexturedPrimitive::Lookups::texels(const RationalFootprint& de
 
 Footprint TexturedPrimitive::Lookups::footprint_at(const QuadPixel& at) const {
   const auto along = [&](Axis axis) {
-    return derivatives_exact(axes_[0].coordinate(), axes_[1].coordinate(), at, axis,
-                             choice_.derivatives);
+    return known_.derivatives(number_, axes_[0].coordinate(), axes_[1].coordinate(), at, axis,
+                              choice_.derivatives);
   };
   return footprint(along(Axis::x), along(Axis::y), base().width, base().height,
                    texture_.dimensions);
@@ -237,19 +249,27 @@ Texel TexturedPrimitive::Lookups::color_at(const TexturePoint& point, const Leve
       sample(decoded_, texture_, use_.sampler, choice_, TextureSample{point, level.lambda}));
 }
 
-Interval TexturedPrimitive::Lookups::place(std::size_t axis, Point sample, const Level& level,
+std::array<Interval, 2> TexturedPrimitive::Lookups::coordinates_at(PixelPosition pixel,
+                                                                   Point sample) const {
+  if (sample != pixel_centre(pixel.x, pixel.y))
+    return {axes_[0].value(sample), axes_[1].value(sample)};
+  return known_.at(number_, axes_[0].coordinate(), axes_[1].coordinate(), pixel);
+}
+
+Interval TexturedPrimitive::Lookups::place(std::size_t axis, const Place& at, const Level& level,
                                            const Rational& further) {
-  return axes_[axis].place(sample, level.borders, level.sizes[axis], further);
+  return axes_[axis].place(at.sample, at.coordinates[axis], level.borders, level.sizes[axis],
+                           further);
 }
 
 // A probe whose offset is unknown may lie anywhere.
-TexturePoint TexturedPrimitive::Lookups::probe_point(Point sample, const Level& level,
+TexturePoint TexturedPrimitive::Lookups::probe_point(const Place& at, const Level& level,
                                                      std::size_t probe) {
   if (level.ways.empty()) return {Interval::everything(), Interval::everything()};
   const std::array<Rational, 2>& way = level.ways[probe];
   TexturePoint point;
-  point.s = place(0, sample, level, way[0]);
-  if (texture_.dimensions == 2) point.t = place(1, sample, level, way[1]);
+  point.s = place(0, at, level, way[0]);
+  if (texture_.dimensions == 2) point.t = place(1, at, level, way[1]);
   return point;
 }
 
@@ -265,10 +285,11 @@ QueriedLevel TexturedPrimitive::Lookups::queried(PixelPosition pixel) {
 ExactLookup TexturedPrimitive::Lookups::look_up(PixelPosition pixel) {
   const Point sample = attribute_place(primitive_, target_, coverage_, pixel);
   const Level& level = level_at(pixel);
+  const Place at{sample, coordinates_at(pixel, sample)};
   ExactLookup result;
-  result.coordinates = {axes_[0].value(sample), axes_[1].value(sample)};
-  result.point = {place(0, sample, level), result.coordinates[1]};
-  if (texture_.dimensions == 2) result.point.t = place(1, sample, level);
+  result.coordinates = at.coordinates;
+  result.point = {place(0, at, level), result.coordinates[1]};
+  if (texture_.dimensions == 2) result.point.t = place(1, at, level);
   result.footprint = level.footprint;
   result.lambda_prime = level.lambda_prime;
   result.lambda = level.lambda;
@@ -280,7 +301,7 @@ ExactLookup TexturedPrimitive::Lookups::look_up(PixelPosition pixel) {
   }
   std::vector<Texel> colors;
   for (std::size_t i = 0; i < level.row.probes.size(); ++i)
-    colors.push_back(color_at(probe_point(sample, level, i), level));
+    colors.push_back(color_at(probe_point(at, level, i), level));
   result.color = weighted(colors, level.row.probes);
   return result;
 }

@@ -15,6 +15,7 @@
 #include "raster/rasterizer.h"
 #include "run/process_renderer.h"
 #include "run/record.h"
+#include "run/shader_cache.h"
 
 namespace edgecase {
 namespace {
@@ -55,11 +56,18 @@ Environment mesa_environment(const std::string& driver, FrontEnd front_end) {
   return result;
 }
 
+// What the worker of a driver has to know in any case.
+Command worker_command(const std::string& worker, const char* context, const std::string& driver,
+                       Environment environment) {
+  const auto claimed = environment.find("MESA_GL_VERSION_OVERRIDE");
+  environment.merge(shader_cache_variables(
+      claimed == environment.end() ? driver : driver + "-" + claimed->second));
+  return {{worker, context, "--expect-driver", driver}, std::move(environment), kDriverVariables};
+}
+
 Command mesa_command(const std::string& worker, FrontEnd front_end, const std::string& driver) {
-  return {{worker, front_end == FrontEnd::osmesa ? "osmesa" : surfaceless(front_end),
-           "--expect-driver", driver},
-          mesa_environment(driver, front_end),
-          kDriverVariables};
+  return worker_command(worker, front_end == FrontEnd::osmesa ? "osmesa" : surfaceless(front_end),
+                        driver, mesa_environment(driver, front_end));
 }
 
 // A browser, which draws with SwiftShader of its own or with Mesa's llvmpipe.
@@ -90,23 +98,22 @@ std::string lavapipe_description() {
 // OpenGL by zink, upon lavapipe or SwiftShader.
 Command zink_command(const std::string& worker, FrontEnd front_end, const std::string& driver) {
   const std::string description = driver == "zink" ? lavapipe_description() : kSwiftShader;
-  Command command{{worker, surfaceless(front_end), "--expect-driver", driver},
-                  {{"MESA_LOADER_DRIVER_OVERRIDE", "zink"},
-                   // Without it Mesa looks for a graphics card, and finds none.
-                   {"LIBGL_ALWAYS_SOFTWARE", "1"},
-                   // Mesa's device selection layer would ask for a display.
-                   {"NODEVICE_SELECT", "1"},
-                   // The second is the newer name of the first; loaders know one or both.
-                   {"VK_ICD_FILENAMES", description},
-                   {"VK_DRIVER_FILES", description},
-                   {"LP_NUM_THREADS", "0"}},
-                  kDriverVariables};
-  command.unset.insert(command.unset.end(), kVulkanVariables.begin(), kVulkanVariables.end());
+  Environment environment{{"MESA_LOADER_DRIVER_OVERRIDE", "zink"},
+                          // Without it Mesa looks for a graphics card, and finds none.
+                          {"LIBGL_ALWAYS_SOFTWARE", "1"},
+                          // Mesa's device selection layer would ask for a display.
+                          {"NODEVICE_SELECT", "1"},
+                          // The second is the newer name of the first; loaders know one or both.
+                          {"VK_ICD_FILENAMES", description},
+                          {"VK_DRIVER_FILES", description},
+                          {"LP_NUM_THREADS", "0"}};
   if (driver == "zink-swiftshader") {
     // It lacks features that zink wants for OpenGL 4.3, but has all that capturing needs.
-    command.environment.emplace("MESA_GL_VERSION_OVERRIDE", "4.3");
-    command.environment.emplace("MESA_GLSL_VERSION_OVERRIDE", "430");
+    environment.emplace("MESA_GL_VERSION_OVERRIDE", "4.3");
+    environment.emplace("MESA_GLSL_VERSION_OVERRIDE", "430");
   }
+  Command command = worker_command(worker, surfaceless(front_end), driver, std::move(environment));
+  command.unset.insert(command.unset.end(), kVulkanVariables.begin(), kVulkanVariables.end());
   return command;
 }
 

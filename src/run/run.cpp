@@ -29,8 +29,8 @@
 namespace edgecase {
 namespace {
 
-// The weight of twenty cases of 100x100. Threads end within one slice of each other, and the wait at
-// the end of a slice is a small part of it.
+// The weight of twenty cases of 100x100. Threads end within one slice of each other, and the wait
+// at the end of a slice is a small part of it.
 constexpr SliceLimits kSlice{std::size_t{1} << 18, 20};
 
 // A case of this weight takes a hundred times the memory of a small one.

@@ -52,7 +52,7 @@ LIBRARIES = [
                     "tools", "examples"}),
     (r"OpenImageIO/", {"image"}),
     (r"(GL|EGL|KHR|GLES\d?|glad)/", {"reference"}),
-    (r"hwy/", {"kernels"}),
+    (r"hwy/", {"exact", "kernels"}),
     (r"glm/", {"casefile"}),
     (r"tiny_obj_loader", {"casefile"}),
     (r"boost/multiprecision/", {"exact"}),
@@ -73,8 +73,8 @@ FLOATING = {
     "src/rules/coverage/point_ownership.cpp": {"explain_point": "figure"},
     "src/rules/coverage/triangle_fill.cpp": {"distance_inside": "people"},
 }
-FLOATING_FILES = {"src/exact/elementary.h", "src/exact/interval.h", "src/exact/rational.h",
-                  "src/kernels/color_planes.h",
+FLOATING_FILES = {"src/exact/elementary.h", "src/exact/interval.h", "src/exact/interval_lanes.h",
+                  "src/exact/interval_lanes.cpp", "src/exact/rational.h", "src/kernels/color_planes.h",
                   "src/kernels/color_planes.cpp", "src/kernels/smooth_fill_kernel.cpp",
                   "src/kernels/textured_fill_kernel.cpp", "src/kernels/code_words-inl.h"}
 

@@ -33,7 +33,7 @@ class SizedAxis {
       : axis_(coordinate, wrap), sizes_(std::move(sizes)) {}
 
   Interval place(Point sample, TexelBorders borders, const Rational& further = 0) {
-    return axis_.place(sample, borders, sizes_, further);
+    return axis_.place(sample, value(sample), borders, sizes_, further);
   }
   Interval value(Point sample) const { return axis_.value(sample); }
 
@@ -254,7 +254,8 @@ TEST(TextureAxis, WithoutExtent) {
   TextureAxis axis(f, Wrap::repeat);
   const std::vector<int> sizes = {3};
   for (const Rational& further : {Rational(0), Rational(1, 3)})
-    EXPECT_TRUE(is_everything(axis.place(pixel_centre(1, 0), kWholeTexels, sizes, further)));
+    EXPECT_TRUE(is_everything(axis.place(pixel_centre(1, 0), axis.value(pixel_centre(1, 0)),
+                                         kWholeTexels, sizes, further)));
   EXPECT_FALSE(axis.derivative({}, Axis::x, DerivativeMethod::fine));
 }
 

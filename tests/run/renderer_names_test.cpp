@@ -3,7 +3,13 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace edgecase {
 namespace {
@@ -43,6 +49,62 @@ TEST(RendererNames, MesaDriversComeFromTheWorkerProgram) {
   EXPECT_THAT(command_of("egl:device12").argv,
               ElementsAre("/opt/bin/edgecase-gl", "egl-device:12"));
   for (const std::string& name : opengl_renderer_names()) command_of(name);
+}
+
+// Sets variables for the time of a test; null unsets one.
+class Variables {
+ public:
+  Variables(std::initializer_list<std::pair<std::string, const char*>> values) {
+    for (const auto& [name, value] : values) {
+      const char* const before = std::getenv(name.c_str());
+      before_[name] = before == nullptr ? std::optional<std::string>() : before;
+      set(name, value);
+    }
+  }
+  ~Variables() {
+    for (const auto& [name, value] : before_) set(name, value ? value->c_str() : nullptr);
+  }
+  Variables(const Variables&) = delete;
+  Variables& operator=(const Variables&) = delete;
+
+ private:
+  static void set(const std::string& name, const char* value) {
+    if (value == nullptr)
+      unsetenv(name.c_str());
+    else
+      setenv(name.c_str(), value, 1);
+  }
+  std::map<std::string, std::optional<std::string>> before_;
+};
+
+TEST(RendererNames, MesaKeepsProgramsInAFolderOfOurs) {
+  constexpr const char* kDir = "MESA_SHADER_CACHE_DIR";
+  const auto folder_of = [&](const std::string& name) {
+    const auto environment = command_of(name).environment;
+    const auto found = environment.find(kDir);
+    return found == environment.end() ? "none" : found->second;
+  };
+  const Variables clean{{kDir, nullptr},
+                        {"MESA_SHADER_CACHE_DISABLE", nullptr},
+                        {"XDG_CACHE_HOME", "/caches"},
+                        {"HOME", "/home/a"}};
+  EXPECT_EQ(folder_of("egl:llvmpipe"), "/caches/edgecase/mesa/llvmpipe");
+  // A driver that claims another version is another driver.
+  EXPECT_EQ(folder_of("egl:softpipe"), "/caches/edgecase/mesa/softpipe-4.5");
+  EXPECT_EQ(folder_of("egl-es:softpipe"), "/caches/edgecase/mesa/softpipe");
+  EXPECT_EQ(folder_of("egl:zink"), "/caches/edgecase/mesa/zink");
+  EXPECT_EQ(folder_of("egl:zink-swiftshader"), "/caches/edgecase/mesa/zink-swiftshader-4.3");
+  // What the system offers is used as it is.
+  EXPECT_EQ(folder_of("egl:device0"), "none");
+  {
+    // A relative path counts as none.
+    const Variables home{{"XDG_CACHE_HOME", "here"}};
+    EXPECT_EQ(folder_of("egl:llvmpipe"), "/home/a/.cache/edgecase/mesa/llvmpipe");
+    const Variables homeless{{"HOME", nullptr}};
+    EXPECT_EQ(folder_of("egl:llvmpipe"), "none");
+  }
+  const Variables chosen{{"MESA_SHADER_CACHE_DISABLE", "true"}};
+  EXPECT_EQ(folder_of("egl:llvmpipe"), "none") << "the user has chosen";
 }
 
 TEST(RendererNames, OpenGlEsIsAnotherContextOfTheSameDriver) {

@@ -50,6 +50,13 @@ class Drivers(CommandTest):
         self.command("run", f"{SUITE}/{TIE}.json", "--against", f"exec:{catcher}", expect=RENDERER)
         return (self.folder / "request").read_text(encoding="utf-8")
 
+    def test_what_mesa_has_compiled_is_kept_in_a_folder_of_ours(self):
+        caches = self.folder / "caches"
+        self.command("run", f"{SUITE}/{TIE}.json", "--against", "egl:llvmpipe",
+                     XDG_CACHE_HOME=str(caches))
+        kept = [path for path in (caches / "edgecase/mesa/llvmpipe").rglob("*") if path.is_file()]
+        self.assertTrue(kept)
+
     def work(self, context, driver, request, **variables):
         """Has a worker draw one scene; what it says of itself, and what it can execute."""
         worker = subprocess.Popen([WORKER, context, "--expect-driver", driver], text=True,

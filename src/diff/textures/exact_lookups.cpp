@@ -82,6 +82,33 @@ LookedUp ExactLookups::look_up(const Fragment& fragment) {
   return result;
 }
 
+// The permitted derivatives of texture coordinates (ruling 16).
+
+// All differences within the fragment's quad: a part of what is permitted.
+TextureLookups::Gradients TextureLookups::quad_gradients(const Fragment& fragment) {
+  const Gradients lower = gradients_of(fragment, DerivativeMethod::coarse_bottom_left);
+  const Gradients upper = gradients_of(fragment, DerivativeMethod::coarse_top_right);
+  const auto both = [](const IntervalPair& a, const IntervalPair& b) {
+    return IntervalPair{hull(a[0], b[0]), hull(a[1], b[1])};
+  };
+  return {both(lower.dx, upper.dx), both(lower.dy, upper.dy)};
+}
+
+TextureLookups::Gradients TextureLookups::permitted_gradients(const Fragment& fragment,
+                                                              Reach reach) {
+  if (reach == Reach::near && !context_.values_of(fragment).differ) return quad_gradients(fragment);
+  auto& permitted = primitives_[static_cast<std::size_t>(fragment.primitive)];
+  if (!permitted) {
+    const PrimitiveValues& values = context_.values_of(fragment);
+    permitted.emplace(std::span(values.lawful.color).first(2), values.reach);
+  }
+  const auto along = [&](Derivative derivative) {
+    return IntervalPair{permitted->at({fragment.x, fragment.y}, derivative, 0),
+                        permitted->at({fragment.x, fragment.y}, derivative, 1)};
+  };
+  return {along(Derivative::x), along(Derivative::y)};
+}
+
 // The texels of which a lookup may take a mean, and the permitted means (rulings 23 and 24).
 
 // The last level that an anisotropic filter may access; it may take a mean of all its texels

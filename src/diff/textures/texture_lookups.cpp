@@ -112,35 +112,10 @@ TextureLookups::Gradients TextureLookups::gradients_of(const Fragment& fragment,
   const QuadPixel at =
       quad_of({fragment.x, fragment.y}, context_.choices.values, context_.scene.target);
   const auto along = [&](Axis axis) {
-    return inexact_.at(fragment.primitive, color[0], color[1], at, axis, method);
+    return inexact_.derivatives(fragment.primitive, color[0], color[1], at, axis, method);
   };
   known_gradients.emplace_back(method, Gradients{along(Axis::x), along(Axis::y)});
   return known_gradients.back().second;
-}
-
-// All differences within the fragment's quad: a part of what is permitted.
-TextureLookups::Gradients TextureLookups::quad_gradients(const Fragment& fragment) {
-  const Gradients lower = gradients_of(fragment, DerivativeMethod::coarse_bottom_left);
-  const Gradients upper = gradients_of(fragment, DerivativeMethod::coarse_top_right);
-  const auto both = [](const IntervalPair& a, const IntervalPair& b) {
-    return IntervalPair{hull(a[0], b[0]), hull(a[1], b[1])};
-  };
-  return {both(lower.dx, upper.dx), both(lower.dy, upper.dy)};
-}
-
-TextureLookups::Gradients TextureLookups::permitted_gradients(const Fragment& fragment,
-                                                              Reach reach) {
-  if (reach == Reach::near && !context_.values_of(fragment).differ) return quad_gradients(fragment);
-  auto& permitted = primitives_[static_cast<std::size_t>(fragment.primitive)];
-  if (!permitted) {
-    const PrimitiveValues& values = context_.values_of(fragment);
-    permitted.emplace(std::span(values.lawful.color).first(2), values.reach);
-  }
-  const auto along = [&](Derivative derivative) {
-    return IntervalPair{permitted->at({fragment.x, fragment.y}, derivative, 0),
-                        permitted->at({fragment.x, fragment.y}, derivative, 1)};
-  };
-  return {along(Derivative::x), along(Derivative::y)};
 }
 
 bool TextureLookups::reports_level(const Fragment& fragment) const {

@@ -155,7 +155,7 @@ class TextureLookups {
   std::vector<double> magnitudes_;              // of each texture's numbers
   std::map<std::size_t, DecodedTexture> srgb_;  // of sRGB textures, not decoded; made on demand
   std::vector<std::optional<PermittedDerivatives>> primitives_;  // of s and of t
-  InexactDerivatives inexact_;
+  InexactCoordinates inexact_;
   std::map<const Fragment*, OfFragment> fragments_;
 };
 

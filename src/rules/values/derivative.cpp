@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <type_traits>
 
 #include "rules/values/inexact_interpolation.h"
 #include "rules/values/interpolation.h"
@@ -207,44 +208,63 @@ namespace {
 constexpr std::size_t kRows = 4;  // those of a quad, and the rows beside it
 constexpr std::size_t kMostColumns = 4096;
 
+// Whether a derivative is more than the difference of two values, and how these are subtracted.
+struct ExactArithmetic {
+  static bool is_difference(const Interpolant& f, DerivativeMethod method) {
+    return method != DerivativeMethod::analytic && !is_linear(f);
+  }
+  static constexpr auto derivative = derivative_exact;
+  static Interval difference(Interval second, Interval first) { return second - first; }
+};
+struct InexactArithmetic {
+  static bool is_difference(const Interpolant&, DerivativeMethod method) {
+    return method != DerivativeMethod::analytic;
+  }
+  static constexpr auto derivative = derivative_inexact;
+  static constexpr auto difference = inexact_difference;
+};
+
+template <class Place>
+using ArithmeticOf =
+    std::conditional_t<std::is_same_v<Place, ExactPlace>, ExactArithmetic, InexactArithmetic>;
+
 }  // namespace
 
-std::array<Interval, 2> derivatives_exact(const Interpolant& s, const Interpolant& t,
-                                          const QuadPixel& at, Axis axis, DerivativeMethod method) {
-  if (method == DerivativeMethod::analytic || is_linear(s) || is_linear(t))
-    return {derivative_exact(s, at, axis, method), derivative_exact(t, at, axis, method)};
-  const Neighbours of = neighbours_of(at, axis, method);
-  const ExactPlace first(centre_of(of.first)), second(centre_of(of.second));
-  return {second.value(s) - first.value(s), second.value(t) - first.value(t)};
-}
-
-InexactDerivatives::InexactDerivatives(int width)
+template <class Place>
+CoordinatePairs<Place>::CoordinatePairs(int width)
     : columns_(std::min(std::bit_ceil(static_cast<std::size_t>(width)), kMostColumns)) {}
 
-const InexactDerivatives::AtPixel& InexactDerivatives::at_pixel(int primitive, const Interpolant& s,
-                                                                const Interpolant& t,
-                                                                PixelPosition pixel) {
+template <class Place>
+std::array<Interval, 2> CoordinatePairs<Place>::at(int primitive, const Interpolant& s,
+                                                   const Interpolant& t, PixelPosition pixel) {
   if (known_.empty()) known_.resize(kRows * columns_);
   // Neighbours of pixels at the target's edges lie outside it.
   const std::size_t column = static_cast<std::size_t>(pixel.x) % columns_;
   const std::size_t row = static_cast<std::size_t>(pixel.y) % kRows;
   AtPixel& known = known_[row * columns_ + column];
   if (known.primitive != primitive || known.pixel != pixel) {
-    const InexactPlace place(centre_of(pixel));
+    const Place place(centre_of(pixel));
     known = {primitive, pixel, {place.value(s), place.value(t)}};
   }
-  return known;
+  return known.values;
 }
 
-std::array<Interval, 2> InexactDerivatives::at(int primitive, const Interpolant& s,
-                                               const Interpolant& t, const QuadPixel& at, Axis axis,
-                                               DerivativeMethod method) {
-  if (method == DerivativeMethod::analytic)
-    return {derivative_inexact(s, at, axis, method), derivative_inexact(t, at, axis, method)};
+template <class Place>
+std::array<Interval, 2> CoordinatePairs<Place>::derivatives(int primitive, const Interpolant& s,
+                                                            const Interpolant& t,
+                                                            const QuadPixel& at, Axis axis,
+                                                            DerivativeMethod method) {
+  using Arithmetic = ArithmeticOf<Place>;
+  if (!Arithmetic::is_difference(s, method) || !Arithmetic::is_difference(t, method))
+    return {Arithmetic::derivative(s, at, axis, method),
+            Arithmetic::derivative(t, at, axis, method)};
   const Neighbours of = neighbours_of(at, axis, method);
-  const std::array<Interval, 2> first = at_pixel(primitive, s, t, of.first).values;
-  const std::array<Interval, 2>& second = at_pixel(primitive, s, t, of.second).values;
-  return {kInexact.subtract(second[0], first[0]), kInexact.subtract(second[1], first[1])};
+  const std::array<Interval, 2> first = this->at(primitive, s, t, of.first);
+  const std::array<Interval, 2> second = this->at(primitive, s, t, of.second);
+  return {Arithmetic::difference(second[0], first[0]), Arithmetic::difference(second[1], first[1])};
 }
+
+template class CoordinatePairs<ExactPlace>;
+template class CoordinatePairs<InexactPlace>;
 
 }  // namespace edgecase

@@ -136,23 +136,25 @@ class PermittedDerivatives {
 
 // ------------------------------------------------------------------------ both texture coordinates
 //
-// The derivatives of both texture coordinates of a primitive; the part that they share is computed
-// once.
+// The values and derivatives of both texture coordinates at the pixels of a drawing, row after row.
+// The part that the coordinates share is computed once, and differences of neighbours share values,
+// so those of the latest rows are cached.
 
-// For s and t with the same vertices and line parameter and, with perspective, the same w.
-std::array<Interval, 2> derivatives_exact(const Interpolant& s, const Interpolant& t,
-                                          const QuadPixel& at, Axis axis, DerivativeMethod method);
-
-// The same with inexact operations, for many pixels, row after row. Differences of neighbours share
-// values, so those of the latest rows are cached.
-class InexactDerivatives {
+// `Place`: ExactPlace or InexactPlace.
+template <class Place>
+class CoordinatePairs {
  public:
   // `width`: that of the target, pixels.
-  explicit InexactDerivatives(int width);
+  explicit CoordinatePairs(int width);
 
-  // `primitive`: the number that identifies s and t.
+  // s and t at a pixel's centre. They have the same vertices and line parameter and, with
+  // perspective, the same w. `primitive`: the number that identifies them, from 0.
   std::array<Interval, 2> at(int primitive, const Interpolant& s, const Interpolant& t,
-                             const QuadPixel& at, Axis axis, DerivativeMethod method);
+                             PixelPosition pixel);
+
+  // Their derivatives: derivative_exact or derivative_inexact of each.
+  std::array<Interval, 2> derivatives(int primitive, const Interpolant& s, const Interpolant& t,
+                                      const QuadPixel& at, Axis axis, DerivativeMethod method);
 
  private:
   struct AtPixel {
@@ -160,11 +162,12 @@ class InexactDerivatives {
     PixelPosition pixel;
     std::array<Interval, 2> values;  // of s and t
   };
-  const AtPixel& at_pixel(int primitive, const Interpolant& s, const Interpolant& t,
-                          PixelPosition pixel);
 
   std::size_t columns_;         // a power of two
   std::vector<AtPixel> known_;  // by row and column, the lowest bits of each
 };
+
+using ExactCoordinates = CoordinatePairs<ExactPlace>;
+using InexactCoordinates = CoordinatePairs<InexactPlace>;
 
 }  // namespace edgecase

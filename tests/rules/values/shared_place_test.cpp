@@ -68,7 +68,8 @@ TEST(SharedPlace, AttributesAreAsTheyAreByThemselves) {
 
 TEST(SharedPlace, DerivativesOfCoordinatesAreAsTheyAreByThemselves) {
   RandomNumbers numbers(42);
-  InexactDerivatives kept(32);
+  ExactCoordinates exact_kept(32);
+  InexactCoordinates kept(32);
   int primitive = 0;
   for (int round = 0; round < 200; ++round) {
     // The same of all kinds: what is kept of one is not taken for another's.
@@ -82,13 +83,16 @@ TEST(SharedPlace, DerivativesOfCoordinatesAreAsTheyAreByThemselves) {
       const Interpolant& t = f[round % 4 == 3 ? 3 : 1];
       for (const DerivativeMethod method : values_of<DerivativeMethod>())
         for (const Axis axis : {Axis::x, Axis::y}) {
-          const auto exact = derivatives_exact(f[0], t, quad, axis, method);
+          const auto exact = exact_kept.derivatives(primitive, f[0], t, quad, axis, method);
           ASSERT_TRUE(same(exact[0], derivative_exact(f[0], quad, axis, method)));
           ASSERT_TRUE(same(exact[1], derivative_exact(t, quad, axis, method)));
-          const auto inexact = kept.at(primitive, f[0], t, quad, axis, method);
+          const auto inexact = kept.derivatives(primitive, f[0], t, quad, axis, method);
           ASSERT_TRUE(same(inexact[0], derivative_inexact(f[0], quad, axis, method)));
           ASSERT_TRUE(same(inexact[1], derivative_inexact(t, quad, axis, method)));
         }
+      const auto values = exact_kept.at(primitive, f[0], t, pixel);
+      ASSERT_TRUE(same(values[0], interpolate_exact(f[0], pixel_centre(pixel.x, pixel.y))));
+      ASSERT_TRUE(same(values[1], interpolate_exact(t, pixel_centre(pixel.x, pixel.y))));
     }
   }
 }
@@ -98,13 +102,13 @@ TEST(SharedPlace, DerivativesOfCoordinatesAreAsTheyAreByThemselves) {
 TEST(SharedPlace, WhatIsKeptIsThatPixels) {
   RandomNumbers numbers(43);
   const Attributes f = random_attributes(numbers, PrimitiveKind::triangle, 0);
-  InexactDerivatives kept(8192);
+  InexactCoordinates kept(8192);
   for (int round = 0; round < 3; ++round)
     for (const int x : {0, 1, 4095, 4096, 4097, 8191})
       for (const int y : {0, 1, 3, 4, 5}) {
         const QuadPixel quad = in_quad({x, y}, RowOrder::bottom_up, 8);
         for (const DerivativeMethod method : values_of<DerivativeMethod>())
-          ASSERT_TRUE(same(kept.at(0, f[0], f[1], quad, Axis::x, method)[1],
+          ASSERT_TRUE(same(kept.derivatives(0, f[0], f[1], quad, Axis::x, method)[1],
                            derivative_inexact(f[1], quad, Axis::x, method)));
       }
 }
