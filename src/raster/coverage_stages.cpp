@@ -208,13 +208,9 @@ namespace {
 
 using Pixels = std::vector<PixelPosition>;
 
-// The extent of a guard band in pixels: the whole range of exact coordinates.
-constexpr int kGuardBand = static_cast<int>(Fixed::kMaxCoordinate);
-
 ClipPlanes planes_of(const Viewport& viewport, ClipMethod method) {
-  if (method == ClipMethod::guard_band)
-    return {true, -kGuardBand, -kGuardBand, kGuardBand, kGuardBand};
-  return {true, viewport.x, viewport.y, viewport.x + viewport.width, viewport.y + viewport.height};
+  if (method == ClipMethod::guard_band) return guard_band();
+  return method == ClipMethod::doubled_sides ? doubled_sides_of(viewport) : sides_of(viewport);
 }
 
 // The pixels of the polygon, split into a fan round its first vertex.
@@ -247,6 +243,7 @@ Pixels clipped_pixels(const ClippedTriangle& clipped, const PixelBounds& bounds,
                                      choice.clip == ClipMethod::homogeneous);
     case ClipMethod::polygon:
     case ClipMethod::guard_band:
+    case ClipMethod::doubled_sides:
       return fan_pixels(clip_polygon(triangle, planes_of(viewport, choice.clip), 1),
                         common_part(bounds, pixels_in(viewport)), within, choice);
     case ClipMethod::discarded:

@@ -28,8 +28,7 @@ namespace {
 
 // A triangle clipped only at near and far, as by an implementation with a guard band.
 std::vector<ClipPolygonVertex> polygon_between_near_and_far(const ScenePrimitive& triangle) {
-  constexpr int kBand = static_cast<int>(Fixed::kMaxCoordinate);
-  return clip_polygon({triangle.positions, triangle.z}, {true, -kBand, -kBand, kBand, kBand}, 1);
+  return clip_polygon({triangle.positions, triangle.z}, guard_band(), 1);
 }
 
 // True if clipping gives a triangle more than three edges, at near and far alone or at all planes.

@@ -306,11 +306,15 @@ std::vector<ClipPolygonVertex> clip_polygon(const UnclippedTriangle& triangle,
   } else {
     polygon = cut_by(polygon, [](const WideVertex& v) { return v.w; });
   }
-  polygon = cut_by(polygon, [&](const WideVertex& v) { return Integer(v.x - planes.left * v.w); });
-  polygon = cut_by(polygon, [&](const WideVertex& v) { return Integer(planes.right * v.w - v.x); });
-  polygon =
-      cut_by(polygon, [&](const WideVertex& v) { return Integer(v.y - planes.bottom * v.w); });
-  polygon = cut_by(polygon, [&](const WideVertex& v) { return Integer(planes.top * v.w - v.y); });
+  const auto cut_at = [&](Integer WideVertex::*axis, int halves, int direction) {
+    polygon = cut_by(polygon, [&](const WideVertex& v) {
+      return Integer(direction * (2 * v.*axis - halves * v.w));
+    });
+  };
+  cut_at(&WideVertex::x, planes.left, 1);
+  cut_at(&WideVertex::x, planes.right, -1);
+  cut_at(&WideVertex::y, planes.bottom, 1);
+  cut_at(&WideVertex::y, planes.top, -1);
   std::vector<ClipPolygonVertex> vertices;
   for (const WideVertex& v : polygon)
     // A vertex in the eye itself has no direction: its neighbours replace it.
@@ -320,9 +324,7 @@ std::vector<ClipPolygonVertex> clip_polygon(const UnclippedTriangle& triangle,
 }
 
 std::vector<ClipPolygonVertex> seen_polygon(const ScenePrimitive& triangle, std::int64_t parts) {
-  const Viewport& v = triangle.viewport;
-  return clip_polygon({triangle.positions, triangle.z},
-                      {true, v.x, v.y, v.x + v.width, v.y + v.height}, parts);
+  return clip_polygon({triangle.positions, triangle.z}, sides_of(triangle.viewport), parts);
 }
 
 // ---------------------------------------------------------------------------------------- latitude

@@ -28,10 +28,11 @@ Rule clip_volume_rule();  // clip.volume
 
 enum class ClipMethod {
   homogeneous,    // sample by sample, as above
-  polygon,        // sample by sample, as above
-  guard_band,     // by polygons, cut at all six planes; new vertices are snapped like others
-  discarded,      // the same, cut at near and far, and only 8192 pixels away in x and y
-  depth_ignored,  // a primitive that reaches out of the volume is dropped whole
+  polygon,        // as a polygon, cut at all six planes; new vertices are snapped like others
+  guard_band,     // the same, cut at near and far, and only 8192 pixels away in x and y
+  doubled_sides,  // the same, cut at near, far and the sides of a volume twice as wide and high
+  discarded,      // a primitive that reaches out of the volume is dropped whole
+  depth_ignored,  // sample by sample, but for near and far
 };
 template <>
 inline constexpr auto kNames<ClipMethod> = std::to_array<TabledAlternative<ClipMethod>>(
@@ -41,6 +42,8 @@ inline constexpr auto kNames<ClipMethod> = std::to_array<TabledAlternative<ClipM
       "cut at all six planes; new vertices are snapped as others are"},
      {ClipMethod::guard_band, "guard-band", Openness::open,
       "the same at near and far, and at the sides only where a vertex lies beyond 8192 pixels"},
+     {ClipMethod::doubled_sides, "doubled-sides", Openness::open,
+      "the same at near and far, and at the sides of a volume twice as wide and as high"},
      {ClipMethod::discarded, "discarded", Openness::illegal,
       "a triangle that is partly outside the volume is dropped"},
      {ClipMethod::depth_ignored, "depth-ignored", Openness::illegal,
@@ -86,12 +89,26 @@ Figure figure_of_seen(const ScenePrimitive& primitive);
 // The planes that clip, besides w > 0.
 struct ClipPlanes {
   bool depth = true;  // near and far
-  // Vertical and horizontal lines of the window, whole pixels.
+  // Vertical and horizontal lines of the window, half pixels.
   int left = 0;
   int bottom = 0;
   int right = 0;
   int top = 0;
 };
+
+// The viewport's own sides; those of a clip volume twice as wide and high round the same middle;
+// and sides as far away as exact coordinates reach, 8192 pixels.
+constexpr ClipPlanes sides_of(const Viewport& v) {
+  return {true, 2 * v.x, 2 * v.y, 2 * (v.x + v.width), 2 * (v.y + v.height)};
+}
+constexpr ClipPlanes doubled_sides_of(const Viewport& v) {
+  return {true, 2 * v.x - v.width, 2 * v.y - v.height, 2 * v.x + 3 * v.width,
+          2 * v.y + 3 * v.height};
+}
+constexpr ClipPlanes guard_band() {
+  constexpr int kHalves = 2 * static_cast<int>(Fixed::kMaxCoordinate);
+  return {true, -kHalves, -kHalves, kHalves, kHalves};
+}
 
 struct ClipPolygonVertex {
   Point position;  // the nearest multiples of 2^-16

@@ -82,7 +82,8 @@ TEST(CutScene, EveryPermittedWayDrawsItWithinTheBound) {
   long differing = 0, made = 0;
   for (int round = 0; round < 4000; ++round) {
     const Halves scene = halves(random);
-    for (const ClipMethod clip : {ClipMethod::polygon, ClipMethod::guard_band}) {
+    for (const ClipMethod clip :
+         {ClipMethod::polygon, ClipMethod::guard_band, ClipMethod::doubled_sides}) {
       for (const char* snap : {"none", "8-half-even", "8-truncate", "4-half-up"}) {
         CoverageChoice choice = resolve({}, Surface::fbo).triangles;
         choice.clip = clip;

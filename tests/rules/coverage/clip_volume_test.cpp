@@ -126,11 +126,7 @@ TEST(ClipVolume, ThePolygonHoldsTheSameSamplesButAtItsBorder) {
     const Scene scene = scene_of(triangle);
     const ScenePrimitive primitive = primitives_of(scene)[0];
     const UnclippedTriangle given{primitive.positions, primitive.z};
-    const auto polygon =
-        clip_polygon(given,
-                     {true, kViewport.x, kViewport.y, kViewport.x + kViewport.width,
-                      kViewport.y + kViewport.height},
-                     100000);
+    const auto polygon = clip_polygon(given, sides_of(kViewport), 100000);
     ASSERT_LE(polygon.size(), 9u);
     const auto covered = clipped_triangle_pixels(given, kViewport, {0, 0, kSize - 1, kSize - 1},
                                                  ties, centre_of_pixel());

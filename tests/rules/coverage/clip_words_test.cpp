@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What is said of clipped triangles, and the polygons that are left of them, by hand.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -78,13 +79,14 @@ TEST(ClipWords, TellWhatHidesTheSample) {
 }
 
 // The corners in order, "!" after one that clipping has made.
-std::string polygon_of(const std::array<Point, 3>& corners) {
+std::string polygon_of(const std::array<Point, 3>& corners,
+                       const ClipPlanes& planes = sides_of({0, 0, 8, 8})) {
   UnclippedTriangle triangle;
   for (std::size_t i = 0; i < 3; ++i) triangle.positions[i] = homogeneous(corners[i]);
   std::string text;
-  for (const ClipPolygonVertex& vertex : clip_polygon(triangle, {true, 0, 0, 8, 8}, 1)) {
+  for (const ClipPolygonVertex& vertex : clip_polygon(triangle, planes, 1)) {
     const Point p = vertex.position;
-    text += std::to_string(p.x.raw() / Fixed::kOne) + ',' + std::to_string(p.y.raw() / Fixed::kOne);
+    text += fmt::format("{},{}", p.x.to_double(), p.y.to_double());
     text += vertex.made ? "! " : " ";
   }
   return text;
@@ -105,6 +107,19 @@ TEST(ClipPolygon, CutsEachSideWhereItIsCrossed) {
   // One vertex on the plane, one beyond it: a single cut.
   EXPECT_EQ(polygon_of({at(0, 0), at(-4, 4), at(4, 4)}), "0,0 0,4! 4,4 ");
   EXPECT_EQ(polygon_of({at(-4, 0), at(0, 4), at(-4, 8)}), "");
+}
+
+// Sides of a volume twice as large stand half the viewport's extent beyond its own; a viewport of
+// odd extent has them between pixels.
+TEST(ClipPolygon, CutsAtDoubledSides) {
+  const ClipPlanes even = doubled_sides_of({0, 0, 8, 8});
+  EXPECT_EQ(polygon_of({at(-4, -4), at(12, -4), at(-4, 12)}, even), "-4,-4 12,-4 -4,12 ");
+  EXPECT_EQ(polygon_of({at(-12, 0), at(4, 0), at(4, 8)}, even), "-4,0! 4,0 4,8 -4,4! ");
+  const ClipPlanes odd = doubled_sides_of({1, 2, 5, 7});
+  EXPECT_EQ(polygon_of({at(-3.5, 2), at(2.5, 2), at(0.5, 4)}, odd), "-1.5,2! 2.5,2 0.5,4 -1.5,3! ");
+  EXPECT_EQ(polygon_of({at(10.5, 4), at(6.5, 4), at(6.5, 2)}, odd), "8.5,4! 6.5,4 6.5,2 8.5,3! ");
+  EXPECT_EQ(polygon_of({at(2, -5.5), at(2, 2.5), at(6, 2.5)}, odd), "2,-1.5! 2,2.5 6,2.5 4,-1.5! ");
+  EXPECT_EQ(polygon_of({at(6, 16.5), at(6, 8.5), at(2, 8.5)}, odd), "6,12.5! 6,8.5 2,8.5 4,12.5! ");
 }
 
 // The vertices of a triangle that is smaller than half a unit of 2^-16 meet in one point, though
