@@ -68,6 +68,14 @@ IntervalLanes<N> operator+(const IntervalLanes<N>& a, const IntervalLanes<N>& b)
   return by_lane(LaneOperation::add, a, b, kNotWidened);
 }
 template <std::size_t N>
+IntervalLanes<N> operator*(const IntervalLanes<N>& a, const Interval& b) {
+  return by_lane(LaneOperation::multiply, a, b, kNotWidened);
+}
+template <std::size_t N>
+IntervalLanes<N> operator/(const IntervalLanes<N>& a, const IntervalLanes<N>& b) {
+  return by_lane(LaneOperation::divide, a, b, kNotWidened);
+}
+template <std::size_t N>
 IntervalLanes<N> operator/(const IntervalLanes<N>& a, const Interval& b) {
   return by_lane(LaneOperation::divide, a, b, kNotWidened);
 }

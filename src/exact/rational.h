@@ -71,8 +71,45 @@ inline bool is_whole(const Rational& value) {
   return denominator(value) == 1;
 }
 
+// A quotient of machine integers, not reduced: below more than 0, and small enough for
+// interval_of() where is_small() says so.
+struct MachineQuotient {
+  Int128 above = 0;
+  Int128 below = 1;
+  // |above| below 2^120, below under 2^73.
+  bool is_small() const {
+    constexpr Int128 kAbove = Int128{1} << 120;
+    return -kAbove < above && above < kAbove && below < Int128{1} << 73;
+  }
+};
+
+// The number of digits of a positive number in base 2.
+inline int digits_of(Int128 value) {
+  const auto high = static_cast<std::uint64_t>(value >> 64);
+  return 128 - (high != 0 ? std::countl_zero(high)
+                          : 64 + std::countl_zero(static_cast<std::uint64_t>(value)));
+}
+
 // The narrowest interval that holds the number: a point if it is a double, otherwise two
 // neighbours, the outer of which may be infinite.
+inline Interval interval_of(const MachineQuotient& value) {
+  if (value.above < 0) {
+    const Interval positive = interval_of(MachineQuotient{-value.above, value.below});
+    return {-positive.high, -positive.low};
+  }
+  if (value.above == 0) return 0;
+  // 53 or 54 digits before the point.
+  const int scale = 53 + digits_of(value.below) - digits_of(value.above);
+  const Int128 above = value.above << std::max(scale, 0);
+  const Int128 below = value.below << std::max(-scale, 0);
+  const auto digits = static_cast<std::int64_t>(above / below);
+  const int spare = digits >> 53 != 0 ? 1 : 0;
+  const std::int64_t kept = digits >> spare;
+  const double low = std::ldexp(static_cast<double>(kept), spare - scale);
+  const bool is_exact = Int128{kept << spare} * below == above;
+  return is_exact ? Interval(low) : Interval(low, next_above(low));
+}
+
 inline Interval interval_of(const Rational& value) {
   if (value < 0) {
     const Interval positive = interval_of(Rational(-value));
@@ -80,6 +117,8 @@ inline Interval interval_of(const Rational& value) {
   }
   if (value == 0) return 0;
   const Integer above = numerator(value), below = denominator(value);
+  if (msb(above) < 120 && msb(below) < 73)
+    return interval_of(MachineQuotient{static_cast<Int128>(above), static_cast<Int128>(below)});
   // At least 53 digits before the point; digits below the smallest double are cut off.
   const int scale =
       std::min(53 + static_cast<int>(msb(below)) - static_cast<int>(msb(above)), 1074);

@@ -13,6 +13,7 @@
 #include "rules/values/attributes.h"
 #include "rules/values/framebuffer.h"
 #include "rules/values/interpolation.h"
+#include "rules/values/rational_interpolation.h"
 
 namespace edgecase {
 namespace {
@@ -45,15 +46,6 @@ bool has_polygon_offset(const ScenePrimitive& primitive) {
 Interpolant plus(Interpolant depth, Interval offset) {
   for (Interval& value : depth.values) value = value + offset;
   return depth;
-}
-
-Fragment fragment_at(const ScenePrimitive& primitive, PixelPosition pixel, Interval depth) {
-  Fragment fragment;
-  fragment.x = pixel.x;
-  fragment.y = pixel.y;
-  fragment.primitive = primitive.index;
-  fragment.depth = middle(depth);
-  return fragment;
 }
 
 }  // namespace
@@ -143,6 +135,15 @@ double middle(Interval value) {
   return value.low / 2 + value.high / 2;
 }
 
+Fragment fragment_at(const ScenePrimitive& primitive, PixelPosition pixel, Interval depth) {
+  Fragment fragment;
+  fragment.x = pixel.x;
+  fragment.y = pixel.y;
+  fragment.primitive = primitive.index;
+  fragment.depth = middle(depth);
+  return fragment;
+}
+
 Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
                PixelPosition pixel, const ShadingPlaces& places) {
   Fragment fragment = fragment_at(primitive, pixel, depth_exact(attributes, places.depth));
@@ -158,14 +159,6 @@ Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attri
       fragment_at(primitive, pixel, clamped_depth(attributes, centre.value(attributes.depth)));
   for (std::size_t c = 0; c < 4; ++c)
     fragment.color[c] = middle(lookup ? lookup->color[c] : centre.value(attributes.color[c]));
-  return fragment;
-}
-
-Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
-               PixelPosition pixel, CentreColors& colors) {
-  const Point centre = pixel_centre(pixel.x, pixel.y);
-  Fragment fragment = fragment_at(primitive, pixel, depth_exact(attributes, centre));
-  std::ranges::transform(colors.at(pixel), fragment.color.begin(), middle);
   return fragment;
 }
 
@@ -239,17 +232,35 @@ std::size_t CentreColors::place_of(PixelPosition pixel) const {
   return row * columns_ + column;
 }
 
+bool CentreColors::is_known(PixelPosition pixel) const {
+  const AtPixel& known = known_[place_of(pixel)];
+  return known.primitive == primitive_ && known.pixel == pixel;
+}
+
+// Where the pixel to the left was asked for, those to the right will be.
+std::size_t CentreColors::run_from(PixelPosition pixel) const {
+  const bool is_inside = pixel.x > 0 && static_cast<std::size_t>(pixel.x) < columns_;
+  if (!is_inside || !is_known({pixel.x - 1, pixel.y})) return 1;
+  return std::min(ExactRun::kLongest, columns_ - static_cast<std::size_t>(pixel.x));
+}
+
 const CentreColors::Components& CentreColors::at(PixelPosition pixel) {
   if (known_.empty()) known_.resize(kRows * columns_);
-  AtPixel& known = known_[place_of(pixel)];
-  if (known.primitive != primitive_ || known.pixel != pixel) {
-    const ExactPlace place(pixel_centre(pixel.x, pixel.y));
-    known.primitive = primitive_;
-    known.pixel = pixel;
-    std::ranges::transform(*components_, known.values.begin(),
-                           [&](const Interpolant& f) { return place.value(f); });
+  AtPixel* const known = &known_[place_of(pixel)];
+  if (is_known(pixel)) return known->values;
+  const std::size_t count = run_from(pixel);
+  for (std::size_t i = 0; i < count; ++i) {
+    known[i].primitive = primitive_;
+    known[i].pixel = {pixel.x + static_cast<int>(i), pixel.y};
   }
-  return known.values;
+  ExactRun run(pixel, count);
+  std::array<Interval, ExactRun::kLongest> values;
+  for (std::size_t c = 0; c < components_->size(); ++c) {
+    LazyRational rational;
+    run.values((*components_)[c], rational, values);
+    for (std::size_t i = 0; i < count; ++i) known[i].values[c] = values[i];
+  }
+  return known->values;
 }
 
 CentreColors::Components CentreColors::difference(const Neighbours& of, Axis axis) {

@@ -113,15 +113,14 @@ QuadPixel quad_of(PixelPosition pixel, const ValueChoice& choice, const Target& 
 // interval that holds zero gives zero: any other number would wrongly look exact to many digits.
 double middle(Interval value);
 
+// A fragment without a colour.
+Fragment fragment_at(const ScenePrimitive& primitive, PixelPosition pixel, Interval depth);
+
 // The fragment of a primitive at a pixel's centre. Colour and depth are the doubles nearest to the
 // exact values, to within 2^-48 of the largest vertex value. In a textured draw `lookup` gives the
 // colour; otherwise it is null.
 Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
                PixelPosition pixel, const ExactLookup* lookup = nullptr);
-
-// The same, with the colour from `colors`, which must have taken these attributes.
-Fragment shade(const ScenePrimitive& primitive, const PrimitiveAttributes& attributes,
-               PixelPosition pixel, CentreColors& colors);
 
 // The points of the window at which a fragment of a multisampled target takes its values.
 struct ShadingPlaces {
@@ -180,6 +179,8 @@ class CentreColors {
   };
 
   std::size_t place_of(PixelPosition pixel) const;
+  bool is_known(PixelPosition pixel) const;
+  std::size_t run_from(PixelPosition pixel) const;
   Components difference(const Neighbours& of, Axis axis);
 
   const std::array<Interpolant, 4>* components_ = nullptr;

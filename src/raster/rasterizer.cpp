@@ -10,6 +10,7 @@
 
 #include "raster/attributes.h"
 #include "raster/coverage_stages.h"
+#include "raster/fragment_runs.h"
 #include "raster/samples.h"
 #include "raster/texture_stage.h"
 #include "rules/values/framebuffer.h"
@@ -95,10 +96,11 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
     if (details.derivatives) colors.take(attributes.color);
     ExactLookup lookup;
     const ExactLookup* const shown = textured ? &lookup : nullptr;
+    FragmentRuns runs(primitive, attributes, pixels);
     for (PixelPosition pixel : pixels) {
       if (textured) lookup = textured->look_up(pixel);
-      Fragment fragment = details.derivatives && !textured && primitive.kind != PrimitiveKind::line
-                              ? shade(primitive, attributes, pixel, colors)
+      Fragment fragment = !textured && primitive.kind == PrimitiveKind::triangle
+                              ? runs.next()
                               : shaded(primitive, attributes, target, choice, pixel, shown);
       if (details.any()) {
         if (!one_detail || pixel == pixels.front())

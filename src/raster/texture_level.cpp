@@ -29,11 +29,37 @@ bool is_open(Interval value, TexelBorders borders, std::span<const int> sizes) {
 }
 
 // Whether a number belongs below the border that it is next to or on; nothing if it is an even
-// multiple and thus no border. `scaled`: times the number of borders from 0 to 1.
-std::optional<bool> is_below_border(const Rational& scaled, TexelBorders borders) {
+// multiple and thus no border. The level has `size` texels.
+std::optional<bool> is_below_border(const Rational& value, int size, TexelBorders borders) {
+  const Rational scaled = value * size * borders.parts;
   if (!borders.ties_to_even || !is_whole(scaled)) return (scaled - floor_of(scaled)) * 2 >= 1;
   if (is_whole(scaled / 2)) return std::nullopt;
   return is_whole((scaled - 1) / 4);
+}
+std::optional<bool> is_below_border(const MachineQuotient& value, int size, TexelBorders borders) {
+  const Int128 scaled = value.above * size * borders.parts;
+  Int128 whole = scaled / value.below, rest = scaled % value.below;
+  if (rest < 0) {
+    rest += value.below;
+    --whole;
+  }
+  if (!borders.ties_to_even || rest != 0) return rest * 2 >= value.below;
+  if (whole % 2 == 0) return std::nullopt;
+  return (whole - 1) % 4 == 0;
+}
+
+bool is_far(const Rational& value) {
+  return abs(value) >= kFar;
+}
+bool is_far(const MachineQuotient& value) {
+  return (value.above < 0 ? -value.above : value.above) >= value.below * kFar;
+}
+
+const Rational& rational_of(const Rational& value) {
+  return value;
+}
+Rational rational_of(const MachineQuotient& value) {
+  return quotient_of(integer_of(value.above), integer_of(value.below));
 }
 
 // Without a grid, nearest switches between texels, while linear changes continuously.
@@ -64,11 +90,6 @@ TexelBorders texel_borders(Filter filter, TexelGrid grid, TextureFormat format) 
   return borders_of(filter);
 }
 
-const std::optional<RationalInterpolation>& TextureAxis::rational() {
-  if (!rational_) rational_ = RationalInterpolation::of(coordinate_);
-  return *rational_;
-}
-
 // Repetition has period 1 or, mirrored, 2; clamping is constant from one texel beyond the edge.
 Rational TextureAxis::brought_near(const Rational& value) const {
   if (is_periodic(wrap_)) return value - 2 * floor_of(value / 2);
@@ -77,14 +98,15 @@ Rational TextureAxis::brought_near(const Rational& value) const {
 
 // A double is returned unchanged. Any other number lies between two doubles, possibly with a border
 // between them; the double on its side of the border is returned.
-Interval TextureAxis::decided(const Rational& value, TexelBorders borders,
+template <class Number>
+Interval TextureAxis::decided(const Number& value, TexelBorders borders,
                               std::span<const int> sizes) const {
   const Interval narrow = interval_of(value);
   if (narrow.low == narrow.high) return narrow;
-  if (abs(value) >= kFar) return decided(brought_near(value), borders, sizes);
+  if (is_far(value)) return decided(brought_near(rational_of(value)), borders, sizes);
   for (const int size : sizes) {
     if (!touches(narrow, size, borders)) continue;
-    const std::optional<bool> is_below = is_below_border(value * size * borders.parts, borders);
+    const std::optional<bool> is_below = is_below_border(value, size, borders);
     if (is_below) return *is_below ? narrow.low : narrow.high;
   }
   return narrow;
@@ -96,6 +118,16 @@ Interval TextureAxis::place(Point sample, Interval value, TexelBorders borders,
   if (!is_open(narrow, borders, sizes) || !rational()) return narrow;
   const std::optional<Rational> exact = rational()->at(sample);
   return exact ? decided(*exact + further, borders, sizes) : narrow;
+}
+
+Interval TextureAxis::place(Point sample, Interval value, TexelBorders borders,
+                            std::span<const int> sizes) {
+  const Interval narrow = exact_sum(value, 0);
+  if (!is_open(narrow, borders, sizes) || !rational()) return narrow;
+  if (const auto quotient = rational()->quotient_at(sample))
+    return decided(*quotient, borders, sizes);
+  const std::optional<Rational> exact = rational()->at(sample);
+  return exact ? decided(*exact, borders, sizes) : narrow;
 }
 
 std::optional<Rational> TextureAxis::derivative(const QuadPixel& at, Axis axis,

@@ -52,18 +52,21 @@ class TextureAxis {
   // than 2^-40 that touches no border is returned unchanged.
   Interval place(Point sample, Interval value, TexelBorders borders, std::span<const int> sizes,
                  const Rational& further);
+  // The same without anything further.
+  Interval place(Point sample, Interval value, TexelBorders borders, std::span<const int> sizes);
 
   // Nothing in the cases named in rational_interpolation.h.
   std::optional<Rational> derivative(const QuadPixel& at, Axis axis, DerivativeMethod method);
 
  private:
-  const std::optional<RationalInterpolation>& rational();
-  Interval decided(const Rational& value, TexelBorders borders, std::span<const int> sizes) const;
+  const std::optional<RationalInterpolation>& rational() { return rational_.of(coordinate_); }
+  template <class Number>  // Rational or MachineQuotient
+  Interval decided(const Number& value, TexelBorders borders, std::span<const int> sizes) const;
   Rational brought_near(const Rational& value) const;
 
   Interpolant coordinate_;
   Wrap wrap_;
-  std::optional<std::optional<RationalInterpolation>> rational_;  // computed on first use
+  LazyRational rational_;
 };
 
 // Decides exactly on which side of a border between two levels a level of detail lies.

@@ -79,8 +79,7 @@ class TexturedPrimitive::Lookups {
   std::optional<RationalFootprint> derivatives_at(const QuadPixel& at);
   Texel color_at(const TexturePoint& point, const Level& level) const;
   std::array<Interval, 2> coordinates_at(PixelPosition pixel, Point sample) const;
-  Interval place(std::size_t axis, const Place& at, const Level& level,
-                 const Rational& further = 0);
+  Interval place(std::size_t axis, const Place& at, const Level& level);
   TexturePoint probe_point(const Place& at, const Level& level, std::size_t probe);
   RationalFootprint texels(const RationalFootprint& derivatives) const;
   const DecodedLevel& image(int level) const {
@@ -256,10 +255,8 @@ std::array<Interval, 2> TexturedPrimitive::Lookups::coordinates_at(PixelPosition
   return known_.at(number_, axes_[0].coordinate(), axes_[1].coordinate(), pixel);
 }
 
-Interval TexturedPrimitive::Lookups::place(std::size_t axis, const Place& at, const Level& level,
-                                           const Rational& further) {
-  return axes_[axis].place(at.sample, at.coordinates[axis], level.borders, level.sizes[axis],
-                           further);
+Interval TexturedPrimitive::Lookups::place(std::size_t axis, const Place& at, const Level& level) {
+  return axes_[axis].place(at.sample, at.coordinates[axis], level.borders, level.sizes[axis]);
 }
 
 // A probe whose offset is unknown may lie anywhere.
@@ -267,9 +264,13 @@ TexturePoint TexturedPrimitive::Lookups::probe_point(const Place& at, const Leve
                                                      std::size_t probe) {
   if (level.ways.empty()) return {Interval::everything(), Interval::everything()};
   const std::array<Rational, 2>& way = level.ways[probe];
+  const auto placed = [&](std::size_t axis) {
+    return axes_[axis].place(at.sample, at.coordinates[axis], level.borders, level.sizes[axis],
+                             way[axis]);
+  };
   TexturePoint point;
-  point.s = place(0, at, level, way[0]);
-  if (texture_.dimensions == 2) point.t = place(1, at, level, way[1]);
+  point.s = placed(0);
+  if (texture_.dimensions == 2) point.t = placed(1);
   return point;
 }
 

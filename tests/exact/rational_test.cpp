@@ -77,8 +77,7 @@ TEST(Rational, PowersOfTwoOfEitherSign) {
 }
 
 // No narrower interval of doubles holds the number: its ends are neighbours, or one point.
-void expect_narrowest(const Rational& value) {
-  const Interval interval = interval_of(value);
+void expect_narrowest(const Rational& value, const Interval& interval) {
   if (interval.low == interval.high) {
     ASSERT_EQ(rational_of(interval.low), value);
     return;
@@ -100,9 +99,34 @@ TEST(Rational, IntervalsAreTheNarrowest) {
     const auto above = static_cast<std::int64_t>(random() >> (random() % 63));
     const auto below = static_cast<std::int64_t>(random() >> (1 + random() % 62)) + 1;
     const Rational value = fraction(i % 2 == 0 ? above / 2 : -(above / 2), below);
-    expect_narrowest(value);
-    expect_narrowest(value * power_of_two(static_cast<int>(random() % 2400) - 1200));
+    expect_narrowest(value, interval_of(value));
+    const Rational far = value * power_of_two(static_cast<int>(random() % 2400) - 1200);
+    expect_narrowest(far, interval_of(far));
   }
+}
+
+// As large as they may be, and their own multiples: what is not reduced is the same number.
+TEST(MachineQuotient, HasTheIntervalOfTheRational) {
+  std::mt19937_64 random(3);
+  const auto drawn = [&](int digits) {
+    const Int128 wide = (Int128{random() >> 1} << 64) + static_cast<Int128>(random());
+    return wide >> (127 - 1 - static_cast<int>(random() % static_cast<unsigned>(digits)));
+  };
+  int exact = 0;
+  for (int i = 0; i < 40'000; ++i) {
+    MachineQuotient quotient{drawn(120), drawn(73) + 1};
+    if (i % 4 == 0) quotient = {drawn(60) * quotient.below, quotient.below};
+    if (i % 2 == 0) quotient.above = -quotient.above;
+    if (!quotient.is_small()) continue;
+    const Rational value = quotient_of(integer_of(quotient.above), integer_of(quotient.below));
+    const Interval interval = interval_of(quotient);
+    expect_narrowest(value, interval);
+    if (HasFatalFailure()) FAIL() << i;
+    exact += interval.low == interval.high;
+  }
+  EXPECT_GT(exact, 5000);
+  EXPECT_FALSE((MachineQuotient{Int128{1} << 120, 1}.is_small()));
+  EXPECT_FALSE((MachineQuotient{1, Int128{1} << 73}.is_small()));
 }
 
 TEST(Rational, IntervalsBesideDoublesAndBeyondThem) {

@@ -269,9 +269,6 @@ TEST_F(Attributes, DerivativesOfManyPixelsAreThoseOfEach) {
         for (int row = 0; row < 8; ++row)
           for (int x = 0; x < width; ++x)
             expect_derivatives_of_each(*given, {x, upwards ? row : 7 - row}, colors);
-      const PixelPosition pixel{width / 2, 5};
-      EXPECT_EQ(shade(primitive(), *given, pixel, colors).color,
-                shade(primitive(), *given, pixel).color);
     }
   }
 }

@@ -32,8 +32,16 @@ class SizedAxis {
   SizedAxis(const Interpolant& coordinate, Wrap wrap, std::vector<int> sizes)
       : axis_(coordinate, wrap), sizes_(std::move(sizes)) {}
 
-  Interval place(Point sample, TexelBorders borders, const Rational& further = 0) {
+  Interval place(Point sample, TexelBorders borders, const Rational& further) {
     return axis_.place(sample, value(sample), borders, sizes_, further);
+  }
+  // Machine integers decide as quotients of unbounded ones do, to which 0 is added here.
+  Interval place(Point sample, TexelBorders borders) {
+    const Interval result = axis_.place(sample, value(sample), borders, sizes_);
+    const Interval unbounded = place(sample, borders, 0);
+    EXPECT_EQ(result.low, unbounded.low);
+    EXPECT_EQ(result.high, unbounded.high);
+    return result;
   }
   Interval value(Point sample) const { return axis_.value(sample); }
 

@@ -32,6 +32,7 @@ class SingleChanges {
       : question_(question), drawn_(drawn) {}
 
   bool draw_so(const CoverageChoice& changed) {
+    if (moves_only_corners(changed)) return true;
     if (changed.snap != chosen().snap && decides_by_vertices()) return snapped_so(changed);
     if (only_ties_differ(changed)) return decides_ties_so(changed);
     return !differs_at_ends(changed) && covers_so(changed);
@@ -57,6 +58,14 @@ class SingleChanges {
   bool is_plain() const {
     return question_.target.samples == 1 && !primitive().is_clipped &&
            !(chosen().snap.is_none() && has_clip_positions(primitive()));
+  }
+
+  // True if only the corners of a triangle are moved, of which samples are told by what was given.
+  bool moves_only_corners(const CoverageChoice& changed) const {
+    return primitive().is_clipped && primitive().kind == PrimitiveKind::triangle &&
+           primitive().state->cull == CullMode::none && chosen().clip == ClipMethod::homogeneous &&
+           (changed.snap != chosen().snap ||
+            changed.triangle_algorithm != chosen().triangle_algorithm);
   }
 
   // True if snapping decides nothing but the positions of vertices.

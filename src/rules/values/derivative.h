@@ -27,6 +27,7 @@
 #include "model/rendering.h"
 #include "rules/coverage/window.h"
 #include "rules/rule.h"
+#include "rules/values/exact_interpolation.h"
 #include "rules/values/inexact_interpolation.h"
 #include "rules/values/interpolation.h"
 

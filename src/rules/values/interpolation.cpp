@@ -23,8 +23,6 @@ bool has_extent(const Interpolant& f) {
 
 namespace {
 
-using Weights = std::array<Interval, 3>;
-
 std::size_t count_of(const Interpolant& f) {
   return static_cast<std::size_t>(vertices_of(f.kind));
 }
@@ -35,141 +33,6 @@ bool is_one_number(const Interpolant& f, const std::array<Interval, 3>& numbers)
                      [&](Interval number) {
                        return number.low == numbers[0].low && number.high == numbers[0].high;
                      });
-}
-
-// ------------------------------------------------------------------------------------------- exact
-
-bool is_small(Int128 value) {
-  constexpr Int128 kLimit = Int128{1} << 62;
-  return -kLimit < value && value < kLimit;
-}
-
-// a b + c d. Factors below 2^62 are multiplied as integers, so nothing is lost if the two products
-// nearly cancel.
-Interval sum_of_products(Int128 a, Int128 b, Int128 c, Int128 d) {
-  if (is_small(a) && is_small(b) && is_small(c) && is_small(d)) return interval_of(a * b + c * d);
-  return interval_of(a) * interval_of(b) + interval_of(c) * interval_of(d);
-}
-
-// A point's distance from `from`, times both denominators.
-struct Difference {
-  Int128 x;
-  Int128 y;
-};
-
-Difference difference(const HomogeneousPoint& to, const HomogeneousPoint& from) {
-  return {Int128{to.x} * from.w - Int128{from.x} * to.w,
-          Int128{to.y} * from.w - Int128{from.y} * to.w};
-}
-
-Int128 magnitude(Int128 value) {
-  return value < 0 ? -value : value;
-}
-
-// With the projection: w_1 is (p - a).(b - a), times the three denominators, and the sum of both is
-// |b - a|^2, times the same.
-Weights line_weights(const Interpolant& f, const HomogeneousPoint& p) {
-  const HomogeneousPoint& a = f.positions[0];
-  const HomogeneousPoint& b = f.positions[1];
-  const Difference run = difference(b, a);
-  const Difference here = difference(p, a);
-  const Difference rest = difference(b, p);
-  if (f.line_parameter != LineParameter::projection) {
-    const bool by_x = goes_by_x(f);
-    const bool forward = (by_x ? run.x : run.y) > 0;
-    const auto along = [&](const Difference& d) {
-      return interval_of((by_x ? d.x : d.y) * (forward ? 1 : -1));
-    };
-    return {along(rest) * static_cast<double>(a.w), along(here) * static_cast<double>(b.w), 0};
-  }
-  return {sum_of_products(rest.x, run.x, rest.y, run.y) * static_cast<double>(a.w),
-          sum_of_products(here.x, run.x, here.y, run.y) * static_cast<double>(b.w), 0};
-}
-
-// The determinant of the two other vertices and the sample is the area times all three denominators
-// except the vertex's own.
-Weights triangle_weights(const Interpolant& f, const HomogeneousPoint& p) {
-  const auto& v = f.positions;
-  const Int128 turn = cross(v[0], v[1], v[2]) < 0 ? -1 : 1;
-  Weights result;
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] =
-        interval_of(turn * cross(v[(i + 1) % 3], v[(i + 2) % 3], p)) * static_cast<double>(v[i].w);
-  return result;
-}
-
-// The sum of the weights before division by w: it does not depend on the sample, and is known more
-// precisely than by adding them.
-Interval total_of(const Interpolant& f, const HomogeneousPoint& p) {
-  const auto scale = static_cast<double>(p.w);
-  if (f.kind == PrimitiveKind::triangle)
-    return interval_of(magnitude(cross(f.positions[0], f.positions[1], f.positions[2]))) * scale;
-  const Difference run = difference(f.positions[1], f.positions[0]);
-  if (f.line_parameter != LineParameter::projection)
-    return interval_of(magnitude(goes_by_x(f) ? run.x : run.y)) * scale;
-  return sum_of_products(run.x, run.x, run.y, run.y) * scale;
-}
-
-// Positive inside the primitive.
-Weights plain_weights(const Interpolant& f, const HomogeneousPoint& p) {
-  return f.kind == PrimitiveKind::line ? line_weights(f, p) : triangle_weights(f, p);
-}
-
-Weights divided_by_w(Weights weights, const Interpolant& f) {
-  for (std::size_t i = 0; i < count_of(f); ++i) weights[i] = weights[i] / f.w[i];
-  return weights;
-}
-
-Weights exact_weights(const Interpolant& f, const HomogeneousPoint& p) {
-  const Weights plain = plain_weights(f, p);
-  return has_perspective(f) ? divided_by_w(plain, f) : plain;
-}
-
-// Numerator and denominator of the mean.
-struct Mean {
-  Interval sum;
-  Interval total;
-  Interval value() const { return sum / total; }
-};
-
-Mean mean_by(const Weights& weights, const Interpolant& f) {
-  Mean mean{weights[0] * f.values[0], weights[0]};
-  for (std::size_t i = 1; i < count_of(f); ++i) {
-    mean.sum = mean.sum + weights[i] * f.values[i];
-    mean.total = mean.total + weights[i];
-  }
-  return mean;
-}
-
-Mean mean_of(const Interpolant& f, const HomogeneousPoint& p) {
-  Mean mean = mean_by(exact_weights(f, p), f);
-  if (!has_perspective(f)) mean.total = total_of(f, p);
-  return mean;
-}
-
-// Computed again without rounding, if the interval does not determine the nearest float32 number.
-Interval settled(Interval value, const Interpolant& f, Point sample) {
-  const Interval nearest = rounded_to_float(value);
-  if (nearest.low == nearest.high) return value;
-  const auto number = interpolate_rational(f, sample);
-  return number ? interval_of(*number) : value;
-}
-
-// The sample's point, and the one a pixel further, over the same denominator.
-HomogeneousPoint next_pixel(HomogeneousPoint p, Axis axis) {
-  (axis == Axis::x ? p.x : p.y) += p.w;
-  return p;
-}
-
-// Weights are linear in a homogeneous point: those of a direction are their change along it. They
-// sum to 0, so the first vertex's value may be subtracted from all values.
-Interval linear_slope(const Interpolant& f, Axis axis) {
-  const Weights steps =
-      plain_weights(f, axis == Axis::x ? HomogeneousPoint{1, 0, 0} : HomogeneousPoint{0, 1, 0});
-  Interval slope = 0;
-  for (std::size_t i = 1; i < count_of(f); ++i)
-    slope = slope + steps[i] * (f.values[i] - f.values[0]);
-  return slope / total_of(f, {0, 0, 1});
 }
 
 }  // namespace
@@ -201,35 +64,6 @@ bool may_swap_axes(const Interpolant& line, double reach) {
   return std::fabs(dx - dy) <= 4 * reach;
 }
 
-Interval interpolate_exact(const Interpolant& f, Point sample) {
-  return ExactPlace(sample).value(f);
-}
-
-Interval ExactPlace::value(const Interpolant& f) const {
-  if (f.kind == PrimitiveKind::point || is_constant(f)) return f.values[0];
-  if (!has_extent(f)) return Interval::everything();
-  Mean mean = mean_by(weights_of(f), f);
-  if (!has_perspective(f)) mean.total = total_of(f);
-  return settled(mean.value(), f, sample_);
-}
-
-bool ExactPlace::has_extent(const Interpolant& f) const {
-  if (!has_extent_) has_extent_ = edgecase::has_extent(f);
-  return *has_extent_;
-}
-
-const ExactPlace::Weights& ExactPlace::weights_of(const Interpolant& f) const {
-  if (!plain_) plain_ = plain_weights(f, homogeneous(sample_));
-  if (!has_perspective(f)) return *plain_;
-  if (!over_w_) over_w_ = divided_by_w(*plain_, f);
-  return *over_w_;
-}
-
-const Interval& ExactPlace::total_of(const Interpolant& f) const {
-  if (!total_) total_ = edgecase::total_of(f, homogeneous(sample_));
-  return *total_;
-}
-
 Interpolant over_w(Interpolant f) {
   for (std::size_t i = 0; i < count_of(f); ++i) f.values[i] = f.values[i] / f.w[i];
   f.perspective = false;
@@ -240,29 +74,6 @@ Interpolant inverse_w(Interpolant f) {
   for (std::size_t i = 0; i < count_of(f); ++i) f.values[i] = Interval(1) / f.w[i];
   f.perspective = false;
   return f;
-}
-
-Interval interpolate_exact(const Interpolant& f, Point sample, Point w_place) {
-  if (sample == w_place || !has_perspective(f)) return interpolate_exact(f, sample);
-  return interpolate_exact(over_w(f), sample) / interpolate_exact(inverse_w(f), w_place);
-}
-
-// With N / D the mean, its derivative is (N' - (N / D) D') / D. Weights are linear in the sample,
-// so N' and D' are differences over one pixel, exactly.
-Interval differentiate_exact(const Interpolant& f, Point sample, Axis axis) {
-  if (f.kind == PrimitiveKind::point || is_constant(f)) return 0;
-  if (!has_extent(f)) return Interval::everything();
-  if (is_linear(f)) return linear_slope(f, axis);
-  const HomogeneousPoint p = homogeneous(sample);
-  const Weights here = exact_weights(f, p);
-  const Weights there = exact_weights(f, next_pixel(p, axis));
-  const Mean mean = mean_of(f, p);
-  const Interval value = mean.value();
-  // N' - v D' as one sum over the vertices, so that values cancel and not products.
-  Interval slope = 0;
-  for (std::size_t i = 0; i < count_of(f); ++i)
-    slope = slope + (there[i] - here[i]) * (f.values[i] - value);
-  return slope / mean.total;
 }
 
 namespace {

@@ -100,30 +100,6 @@ Interval differentiate_permitted(const Interpolant& interpolant, Point sample, A
 // False if a triangle has no area, or a line no length.
 bool has_extent(const Interpolant& interpolant);
 
-// The results of interpolate_exact for several attributes of one primitive at one sample. The part
-// that the attributes share is computed once.
-class ExactPlace {
- public:
-  explicit ExactPlace(Point sample) : sample_(sample) {}
-
-  // Attributes have the same vertices and line parameter; those with perspective have the same w.
-  Interval value(const Interpolant& f) const;
-
- private:
-  using Weights = std::array<Interval, 3>;
-  bool has_extent(const Interpolant& f) const;
-  const Weights& weights_of(const Interpolant& f) const;
-  const Interval& total_of(const Interpolant& f) const;
-
-  Point sample_;
-  // Computed on demand: whether the primitive has an extent, the weights as they are, the weights
-  // divided by w, and the sum of the former.
-  mutable std::optional<bool> has_extent_;
-  mutable std::optional<Weights> plain_;
-  mutable std::optional<Weights> over_w_;
-  mutable std::optional<Interval> total_;
-};
-
 // The attributes of a clipped triangle (GL 4.6 core, 13.7.1 and 14.6.1), expressed as those of a
 // substitute triangle in the same plane.
 //

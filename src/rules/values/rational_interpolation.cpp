@@ -108,7 +108,27 @@ std::optional<RationalInterpolation> RationalInterpolation::of(const Interpolant
   RationalInterpolation result;
   result.above_ = {whole[0], whole[1], whole[2]};
   result.below_ = {whole[3], whole[4], whole[5]};
+  result.machine_above_ = MachineForm::of(result.above_);
+  result.machine_below_ = MachineForm::of(result.below_);
   return result;
+}
+
+std::optional<RationalInterpolation::MachineForm> RationalInterpolation::MachineForm::of(
+    const Form& form) {
+  const Integer most =
+      std::max({Integer(abs(form.x)), Integer(abs(form.y)), Integer(abs(form.one))});
+  if (most != 0 && msb(most) >= 62) return std::nullopt;
+  return MachineForm{static_cast<Int128>(form.x), static_cast<Int128>(form.y),
+                     static_cast<Int128>(form.one)};
+}
+
+std::optional<MachineQuotient> RationalInterpolation::quotient_at(Point sample) const {
+  if (!machine_above_ || !machine_below_) return std::nullopt;
+  const Int128 below = machine_below_->at(sample);
+  if (below == 0) return std::nullopt;
+  const Int128 above = machine_above_->at(sample);
+  const MachineQuotient result{below < 0 ? -above : above, below < 0 ? -below : below};
+  return result.is_small() ? std::optional(result) : std::nullopt;
 }
 
 std::optional<Rational> RationalInterpolation::at(Point sample) const {

@@ -24,6 +24,9 @@ class RationalInterpolation {
   // the line of the window where the primitive's plane is infinitely far away.
   std::optional<Rational> at(Point sample) const;
 
+  // The same as a quotient of machine integers; none if there is none, or if it is not small.
+  std::optional<MachineQuotient> quotient_at(Point sample) const;
+
   // Per pixel; none if one of the values needed is none.
   std::optional<Rational> derivative(const QuadPixel& at, Axis axis, DerivativeMethod method) const;
 
@@ -35,11 +38,32 @@ class RationalInterpolation {
     Integer one;
     Integer at(Point sample) const { return x * sample.x.raw() + y * sample.y.raw() + one; }
   };
+  // The same form in machine integers below 2^62.
+  struct MachineForm {
+    Int128 x = 0;
+    Int128 y = 0;
+    Int128 one = 0;
+    Int128 at(Point sample) const { return x * sample.x.raw() + y * sample.y.raw() + one; }
+    static std::optional<MachineForm> of(const Form& form);
+  };
   RationalInterpolation() = default;
   Rational slope(Point sample, Axis axis, const Integer& below) const;
 
   Form above_;
   Form below_;
+  std::optional<MachineForm> machine_above_, machine_below_;  // none: too large
+};
+
+// That of one interpolant, made on first use.
+class LazyRational {
+ public:
+  const std::optional<RationalInterpolation>& of(const Interpolant& interpolant) {
+    if (!made_) made_ = RationalInterpolation::of(interpolant);
+    return *made_;
+  }
+
+ private:
+  std::optional<std::optional<RationalInterpolation>> made_;
 };
 
 // The same for one sample, like interpolate_exact and derivative_exact.

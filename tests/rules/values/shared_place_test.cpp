@@ -7,8 +7,10 @@
 #include <array>
 
 #include "rules/values/derivative.h"
+#include "rules/values/exact_interpolation.h"
 #include "rules/values/inexact_interpolation.h"
 #include "rules/values/interpolation.h"
+#include "rules/values/rational_interpolation.h"
 #include "tests/rules/values/interpolants.h"
 
 namespace edgecase {
@@ -64,6 +66,47 @@ TEST(SharedPlace, AttributesAreAsTheyAreByThemselves) {
       }
     }
   EXPECT_GT(perspective, 600);
+}
+
+// Of every length, and for numbers that only a quotient of integers decides: values of either sign
+// that cancel at a pixel's centre, and positions at quotients whose determinants exceed 64 bits.
+TEST(SharedPlace, RunsOfPixelsAreAsEachPixelIsByItself) {
+  RandomNumbers numbers(43);
+  int decided = 0, wide = 0;
+  for (int round = 0; round < 600; ++round)
+    for (const PrimitiveKind kind : kKinds) {
+      Attributes f = random_attributes(numbers, kind, round);
+      const PixelPosition first{static_cast<int>(numbers.integer(-2, 20)),
+                                static_cast<int>(numbers.integer(0, 31))};
+      if (round % 3 == 0)
+        for (Interpolant& one : f) {
+          one.positions[0] = homogeneous(pixel_centre(first.x, first.y));
+          one.positions[1] = homogeneous(pixel_centre(first.x + 8, first.y));
+          one.values = {-1, 1, 0.5};
+          one.w = {1, 1, 1};
+        }
+      if (round % 4 == 1)
+        for (Interpolant& one : f)
+          for (HomogeneousPoint& p : one.positions)
+            p = {p.x * 8191, p.y * 8191, p.w * 8190 + (round % 8)};
+      wide += round % 4 == 1;
+      const auto count = static_cast<std::size_t>(numbers.integer(1, ExactRun::kLongest));
+      ExactRun run(first, count);
+      for (std::size_t turn = 0; turn < f.size(); ++turn) {
+        const Interpolant& one = f[(turn + static_cast<std::size_t>(round)) % f.size()];
+        LazyRational rational;
+        std::array<Interval, ExactRun::kLongest> values;
+        run.values(one, rational, values);
+        for (std::size_t i = 0; i < count; ++i) {
+          const Point centre = pixel_centre(first.x + static_cast<int>(i), first.y);
+          const Interval alone = interpolate_exact(one, centre);
+          ASSERT_TRUE(same(values[i], alone)) << round << " " << i;
+          decided += kind == PrimitiveKind::triangle && alone.low == 0 && alone.high == 0;
+        }
+      }
+    }
+  EXPECT_GT(decided, 100);
+  EXPECT_GT(wide, 100);
 }
 
 TEST(SharedPlace, DerivativesOfCoordinatesAreAsTheyAreByThemselves) {
