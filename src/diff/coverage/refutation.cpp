@@ -60,10 +60,10 @@ class SingleChanges {
            !(chosen().snap.is_none() && has_clip_positions(primitive()));
   }
 
-  // True if only the corners of a triangle are moved, of which samples are told by what was given.
+  // True if only corners are moved of a triangle whose samples are decided by its corners as given.
   bool moves_only_corners(const CoverageChoice& changed) const {
     return primitive().is_clipped && primitive().kind == PrimitiveKind::triangle &&
-           primitive().state->cull == CullMode::none && chosen().clip == ClipMethod::homogeneous &&
+           chosen().clip == ClipMethod::homogeneous &&
            (changed.snap != chosen().snap ||
             changed.triangle_algorithm != chosen().triangle_algorithm);
   }
@@ -196,6 +196,34 @@ class SingleChanges {
   std::optional<Pixels> tied_;
 };
 
+// An alternative, and the choice for a kind of primitive with it.
+struct SingleChange {
+  AlternativeId id;
+  CoverageChoice choice;
+};
+
+// The alternatives of every rule that affects a primitive's coverage. They follow from its traits
+// and the policy's choices of coverage, and are found by names: the latest are kept.
+const std::vector<SingleChange>& single_changes(const CoverageTraits& traits,
+                                                const RuleChoices& chosen) {
+  struct Known {
+    CoverageTraits traits;
+    std::array<CoverageChoice, 3> chosen;  // all that a rule with a say in coverage is kept in
+    std::vector<SingleChange> changes;
+  };
+  constexpr std::size_t kMostKnown = 64;
+  thread_local std::vector<Known> all_known;
+  const std::array<CoverageChoice, 3> choices{chosen.points, chosen.lines, chosen.triangles};
+  for (const Known& known : all_known)
+    if (known.traits == traits && known.chosen == choices) return known.changes;
+  if (all_known.size() >= kMostKnown) all_known.clear();
+  Known& known = all_known.emplace_back(Known{traits, choices, {}});
+  for (const Changes& rule : coverage_changes(traits, chosen))
+    for (const Change& change : rule)
+      known.changes.push_back({change.id, change.applied_to(chosen).of(traits.kind)});
+  return known.changes;
+}
+
 }  // namespace
 
 // Several changes may share a name, as all swapped pairs of samples do: the name is refuted only if
@@ -205,12 +233,10 @@ void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& covera
   AlternativeSet draw_so, draw_otherwise;
   SingleChanges changes(question, coverage.drawn);
   const CoverageTraits traits = coverage_traits(question.primitive, question.target);
-  for (const Changes& rule : coverage_changes(traits, question.chosen))
-    for (const Change& change : rule) {
-      if (refuted.contains(change.id) || draw_so.contains(change.id)) continue;
-      const RuleChoices changed = change.applied_to(question.chosen);
-      (changes.draw_so(changed.of(traits.kind)) ? draw_so : draw_otherwise).add(change.id);
-    }
+  for (const SingleChange& change : single_changes(traits, question.chosen)) {
+    if (refuted.contains(change.id) || draw_so.contains(change.id)) continue;
+    (changes.draw_so(change.choice) ? draw_so : draw_otherwise).add(change.id);
+  }
   draw_otherwise.for_each([&](AlternativeId id) {
     if (!draw_so.contains(id)) refuted.add(id);
   });

@@ -9,6 +9,7 @@
 
 #include "diff/coverage/cause.h"
 #include "raster/rasterizer.h"
+#include "tests/raster/clipped_scenes.h"
 #include "tests/raster/random_scenes.h"
 #include "tests/support/judging.h"
 
@@ -80,6 +81,38 @@ TEST(Refuted, IsWhatIsDrawnOtherwise) {
     }
   std::printf("%zu primitives, %zu alternatives refuted\n", primitives, refuted);
   EXPECT_GT(refuted, 3 * primitives);
+}
+
+// Clipped triangles, of which corners are moved in some ways to clip and not in others, with sides
+// that are culled and without.
+TEST(Refuted, IsWhatIsDrawnOtherwiseOfClippedTriangles) {
+  ClippedScenes random(6);
+  std::size_t clipped = 0, refuted = 0;
+  const Policy policies[] = {
+      policy_of({}),
+      policy_of({{"clip.volume", "polygon"}, {"subpixel.snap", "8-half-even"}}),
+      policy_of({{"clip.volume", "doubled-sides"}, {"subpixel.snap", "4-truncate"}}),
+      policy_of({{"triangle.fill-rule", "closed"}, {"triangle.row-order", "top-down"}}),
+      policy_of({{"subpixel.snap", "4-half-up"}}),
+  };
+  for (int i = 0; i < 150; ++i) {
+    Scene scene = random.scene(Primitive::triangles, 3, {0, 0, 8, 8});
+    if (i % 3 == 0) scene.draws[0].cull = CullMode::back;
+    const ScenePrimitive primitive = primitives_of(scene).at(0);
+    clipped += primitive.is_clipped;
+    for (const Policy& policy : policies) {
+      const RuleChoices choices = resolve(policy, Surface::fbo);
+      const CauseQuestion question{primitive, scene.target, choices};
+      const SampleCoverage drawn = covered_samples(primitive, scene.target, choices.triangles, {});
+      const AlternativeSet wanted = drawn_otherwise(question, drawn);
+      AlternativeSet marked;
+      mark_refuted(question, {drawn, drawn}, marked);
+      ASSERT_TRUE(marked == wanted) << policy.rules.size() << " " << i;
+      wanted.for_each([&](AlternativeId) { ++refuted; });
+    }
+  }
+  EXPECT_GT(clipped, 100U);
+  EXPECT_GT(refuted, clipped);
 }
 
 // What is kept of a primitive is not taken for another's that differs in one thing.
