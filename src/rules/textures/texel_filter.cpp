@@ -162,13 +162,20 @@ AxisCells cells_of(Interval s, const Axis& axis, Filter filter) {
   return {std::move(cells), u.high - u.low < kNarrow};
 }
 
+// value * share, for a share above 0: of values that are not negative, two of the four products are
+// the ends.
+Interval part_of(Interval value, Interval share) {
+  if (value.low >= 0) return outward(share.low * value.low, share.high * value.high);
+  return share * value;
+}
+
 // The mean of two colours, `weight` that of b. It always lies between them: the mean of equal
 // numbers is that number.
 Interval mean(Interval a, Interval b, double weight) {
   if (weight == 0) return a;
   if (weight == 1) return b;
   const Interval rest{Down::sum(1, -weight), Up::sum(1, -weight)};
-  const Interval sum = rest * a + Interval(weight) * b;
+  const Interval sum = part_of(a, rest) + part_of(b, weight);
   const Interval between = hull(a, b);
   return {std::max(sum.low, between.low), std::min(sum.high, between.high)};
 }
@@ -198,14 +205,15 @@ struct Image {
 
 // The mean of four texels is linear in either weight, so the corners of the ranges bound it.
 Texel quad_colour(const Image& image, const Cell& s, const Cell& t) {
-  const auto corner = [&](double a, double b) {
-    return mean(mean(image.at(s.first, t.first), image.at(s.second, t.first), a),
-                mean(image.at(s.first, t.second), image.at(s.second, t.second), a), b);
+  const auto at_s = [&](double weight) {
+    const Texel first = mean(image.at(s.first, t.first), image.at(s.second, t.first), weight);
+    const Texel second = mean(image.at(s.first, t.second), image.at(s.second, t.second), weight);
+    Texel box = mean(first, second, t.least);
+    if (t.most > t.least) extend(box, mean(first, second, t.most));
+    return box;
   };
-  Texel box = corner(s.least, t.least);
-  if (s.most > s.least) extend(box, corner(s.most, t.least));
-  if (t.most > t.least) extend(box, corner(s.least, t.most));
-  if (s.most > s.least && t.most > t.least) extend(box, corner(s.most, t.most));
+  Texel box = at_s(s.least);
+  if (s.most > s.least) extend(box, at_s(s.most));
   return box;
 }
 
