@@ -313,15 +313,11 @@ std::vector<std::string> known_rule_ids() {
   return ids;
 }
 
-// Ids, and texts of files, each of which stands with all of its cases.
-std::string digest_of(const CaseStore& cases) {
+// Of the ids of all selected cases and of their files, by the files' ids.
+std::string digest_of(const CaseStore& cases, const std::map<std::string, SharedText>& files) {
   Digest digest;
-  std::optional<SharedText> text;
-  for (const Case& one : cases) {
-    digest.add(one.id);
-    if (text != one.source) digest.add(*one.source);
-    text = one.source;
-  }
+  for (std::size_t i = 0; i < cases.size(); ++i) digest.add(cases.id(i));
+  for (const auto& [id, text] : files) digest.add(id).add(*text);
   return digest.text();
 }
 
@@ -343,6 +339,7 @@ Suite load_suite(const Selection& selection) {
   suite.diagnostics = selection.diagnostics;
   append(found.diagnostics, suite.diagnostics);
   PartsKeeper keeper;
+  std::map<std::string, SharedText> files;  // with a selected case
   std::erase_if(found.cases, [&](const CaseFile& file) {
     return !may_be_wanted(selection, file.id) || !may_be_named(selection, file);
   });
@@ -358,8 +355,10 @@ Suite load_suite(const Selection& selection) {
       keeper.keep(file, parts->second, loaded.cases);
     for (Case& one : loaded.cases)
       if (wanted_id(selection, file.id, one.id) && wanted_tags(selection, one) &&
-          is_named(selection, one))
+          is_named(selection, one)) {
+        if (selection.shard.count > 1) files.try_emplace(file.id, one.source);
         suite.cases.push_back(std::move(one));
+      }
   });
   const std::size_t in_files = suite.diagnostics.size() - selection.diagnostics.size();
   keeper.tell(suite.diagnostics);
@@ -367,7 +366,7 @@ Suite load_suite(const Selection& selection) {
   suite.cases.sort_by_id();
   if (selection.shard.count > 1)
     suite.share = {selection.shard.index, selection.shard.count, suite.cases.size(),
-                   digest_of(suite.cases)};
+                   digest_of(suite.cases, files)};
   // Round robin, so that shards are of one size and each sees every folder.
   suite.cases.keep_share(static_cast<std::size_t>(selection.shard.index),
                          static_cast<std::size_t>(selection.shard.count));
