@@ -33,6 +33,8 @@ class Binary32 {
     if (b.is_zero()) return a;
     if (a.exponent_ < b.exponent_) return b + a;
     const int shift = a.exponent_ - b.exponent_;
+    constexpr int kNear = 62 - kPrecision;  // a sum that fits
+    if (shift < kNear) return rounded((a.significand_ << shift) + b.significand_, b.exponent_);
     constexpr int kFar = 2 * kPrecision + 2;
     if (shift > kFar)
       return rounded((static_cast<Int128>(a.significand_) << kFar) + sign(b.significand_),
@@ -45,7 +47,7 @@ class Binary32 {
   }
   friend constexpr Binary32 operator-(Binary32 a, Binary32 b) { return a + -b; }
   friend constexpr Binary32 operator*(Binary32 a, Binary32 b) {
-    return rounded(static_cast<Int128>(a.significand_) * b.significand_, a.exponent_ + b.exponent_);
+    return rounded(a.significand_ * b.significand_, a.exponent_ + b.exponent_);
   }
   // b must not be zero.
   friend constexpr Binary32 operator/(Binary32 a, Binary32 b) {
@@ -73,21 +75,27 @@ class Binary32 {
 
  private:
   // value * 2^exponent, rounded.
-  static constexpr Binary32 rounded(Int128 value, int exponent) {
-    Int128 magnitude = value < 0 ? -value : value;
-    const auto high = static_cast<std::uint64_t>(magnitude >> 64);
-    const int width = high != 0
-                          ? 64 + static_cast<int>(std::bit_width(high))
-                          : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(magnitude)));
+  template <class Integer>
+  static constexpr Binary32 rounded(Integer value, int exponent) {
+    Integer magnitude = value < 0 ? -value : value;
+    const int width = width_of(magnitude);
     const int dropped = width > kPrecision ? width - kPrecision : 0;
     if (dropped > 0) {
-      const Int128 half = Int128{1} << (dropped - 1);
-      const Int128 rest = magnitude & ((Int128{1} << dropped) - 1);
+      const Integer half = Integer{1} << (dropped - 1);
+      const Integer rest = magnitude & ((Integer{1} << dropped) - 1);
       magnitude >>= dropped;
       if (rest > half || (rest == half && (magnitude & 1) != 0)) ++magnitude;
     }
     return normalised(static_cast<std::int64_t>(value < 0 ? -magnitude : magnitude),
                       exponent + dropped);
+  }
+
+  static constexpr int width_of(std::int64_t magnitude) {
+    return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(magnitude)));
+  }
+  static constexpr int width_of(Int128 magnitude) {
+    const auto high = static_cast<std::int64_t>(magnitude >> 64);
+    return high != 0 ? 64 + width_of(high) : width_of(static_cast<std::int64_t>(magnitude));
   }
 
   // Each number has one representation: an odd significand, or zero.

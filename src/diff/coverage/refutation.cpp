@@ -35,6 +35,7 @@ class SingleChanges {
     if (moves_only_corners(changed)) return true;
     if (changed.snap != chosen().snap && decides_by_vertices()) return snapped_so(changed);
     if (only_ties_differ(changed)) return decides_ties_so(changed);
+    if (only_edges_differ(changed) && meets_no_edge()) return true;
     return !differs_at_ends(changed) && covers_so(changed);
   }
 
@@ -112,6 +113,33 @@ class SingleChanges {
     if (!is_diamond_line()) return false;
     return changed.line.boundary != chosen().line.boundary ||
            (turns && seen_alike && chosen().line.boundary->ties != nullptr);
+  }
+
+  // True if only samples on a triangle's edges can differ, whatever decides on them. Turned over, a
+  // target that is not snapped looks the same but for these.
+  bool only_edges_differ(const CoverageChoice& changed) const {
+    if (primitive().kind != PrimitiveKind::triangle) return false;
+    CoverageChoice same = changed;
+    same.ties = chosen().ties;
+    if (chosen().snap.is_none() && primitive().state->cull == CullMode::none &&
+        !primitive().is_clipped && has_tie_rule(chosen().triangle_algorithm)) {
+      same.rows = chosen().rows;
+      same.polygon_rows = chosen().polygon_rows;
+    }
+    return same == chosen();
+  }
+
+  // True if no sample lies on an edge: the same is drawn without the edges and with all of them.
+  // Any other rule of ties draws something between.
+  bool meets_no_edge() {
+    if (!meets_no_edge_) {
+      CoverageChoice bare = chosen();
+      bare.ties = open_ties();
+      CoverageChoice full = chosen();
+      full.ties = closed_ties();
+      meets_no_edge_ = covers_so(bare) && covers_so(full);
+    }
+    return *meets_no_edge_;
   }
 
   bool decides_ties_so(const CoverageChoice& changed) {
@@ -194,6 +222,7 @@ class SingleChanges {
   const SampleCoverage& drawn_;
   std::vector<std::pair<Positions, bool>> known_;
   std::optional<Pixels> tied_;
+  std::optional<bool> meets_no_edge_;
 };
 
 // An alternative, and the choice for a kind of primitive with it.

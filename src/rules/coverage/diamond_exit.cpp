@@ -200,11 +200,24 @@ std::vector<PixelPosition> diamond_exit_pixels(const Segment& segment, const Pix
   return result;
 }
 
+// Away from its ends, a segment can touch a diamond only by having the centre at just half the
+// diamond's width from it (see meets_by_ties): a diamond's sides cannot bound the segment there,
+// since it leaves the diamond's square by both sides. That is asked first.
 std::vector<PixelPosition> tied_line_pixels(const Segment& segment, const PixelBounds& bounds) {
   static const DiamondBoundary& closed = boundary_named("closed");
   static const DiamondBoundary& open = boundary_named("open");
+  const Rotated a = rotate(segment.a), b = rotate(segment.b);
+  const Int128 du = b.u - a.u, dv = b.v - a.v;
+  const Int128 reach = ((du < 0 ? -du : du) + (dv < 0 ? -dv : dv)) * kHalf;
+  const auto is_near = [](Point end, PixelPosition p) {
+    return std::abs(end.x.floor() - p.x) <= 2 && std::abs(end.y.floor() - p.y) <= 2;
+  };
   std::vector<PixelPosition> result;
   visit_pixels_near(segment, bounds, [&](PixelPosition p) {
+    const Rotated c = rotate(pixel_centre(p.x, p.y));
+    const Int128 offset = du * (c.v - a.v) - dv * (c.u - a.u);
+    if (offset != reach && offset != -reach && !is_near(segment.a, p) && !is_near(segment.b, p))
+      return;
     // A segment that ends on a boundary meets it.
     if (!meets_diamond(segment, p.x, p.y, closed)) return;
     if (!meets_diamond(segment, p.x, p.y, open) || ends_on_boundary(segment, p.x, p.y))

@@ -13,7 +13,8 @@ namespace edgecase {
 namespace {
 
 // A cross product is below 2^61, so four times its square is below 2^124; a squared length is below
-// 2^62 and the square of a width of 64 pixels is 2^44. All of these fit in 128 bits.
+// 2^62 and the square of a width of 64 pixels is 2^44. All of these fit in 128 bits. What has no
+// squares fits in 64.
 static_assert(2 * Fixed::kMaxCoordinate * Fixed::kOne <= (std::int64_t{1} << 30));
 
 // True if the sample's distance from the line is at most half the width. `side` is the cross
@@ -33,8 +34,8 @@ bool within_half_width(const Segment& s, Fixed width, Point sample, const TieRul
 
 // True if the sample is between the two ends, along the segment (rectangle) or its major axis.
 bool between_ends(const Segment& s, LineArea area, Point sample, const TieRule& ties) {
-  Int128 dx = s.b.x.raw() - s.a.x.raw();
-  Int128 dy = s.b.y.raw() - s.a.y.raw();
+  std::int64_t dx = s.b.x.raw() - s.a.x.raw();
+  std::int64_t dy = s.b.y.raw() - s.a.y.raw();
   if (area == LineArea::parallelogram) (s.x_major() ? dy : dx) = 0;
   const auto along = [&](Point from) {
     return dx * (sample.x.raw() - from.x.raw()) + dy * (sample.y.raw() - from.y.raw());
@@ -44,12 +45,12 @@ bool between_ends(const Segment& s, LineArea area, Point sample, const TieRule& 
 
 // True if the sample is within half the width of the line along the minor axis.
 bool within_half_height(const Segment& s, Fixed width, Point sample, const TieRule& ties) {
-  const Int128 dx = s.b.x.raw() - s.a.x.raw();
-  const Int128 dy = s.b.y.raw() - s.a.y.raw();
-  const Int128 side = cross(s.a, s.b, sample);
+  const std::int64_t dx = s.b.x.raw() - s.a.x.raw();
+  const std::int64_t dy = s.b.y.raw() - s.a.y.raw();
+  const std::int64_t side = cross(s.a, s.b, sample);
   // The vertical (horizontal) distance is side / |dx| (side / |dy|).
-  const Int128 run = s.x_major() ? (dx < 0 ? -dx : dx) : (dy < 0 ? -dy : dy);
-  const Int128 reach = run * width.raw();
+  const std::int64_t run = s.x_major() ? (dx < 0 ? -dx : dx) : (dy < 0 ? -dy : dy);
+  const std::int64_t reach = run * width.raw();
   return ties.positive(reach + 2 * side, -dy, dx) && ties.positive(reach - 2 * side, dy, -dx);
 }
 
@@ -66,9 +67,9 @@ std::vector<PixelPosition> pixels_round(const Segment& segment, const Margins& m
   const auto major = [&](Point p) { return x_major ? p.x : p.y; };
   const auto minor = [&](Point p) { return x_major ? p.y : p.x; };
   const auto [first, last] = std::minmax({major(segment.a), major(segment.b)});
-  const Int128 length = major(segment.b).raw() - major(segment.a).raw();
-  const Int128 run = length == 0 ? 1 : length;  // without length there is no rise either
-  const Int128 rise = minor(segment.b).raw() - minor(segment.a).raw();
+  const std::int64_t length = major(segment.b).raw() - major(segment.a).raw();
+  const std::int64_t run = length == 0 ? 1 : length;  // without length there is no rise either
+  const std::int64_t rise = minor(segment.b).raw() - minor(segment.a).raw();
 
   std::vector<PixelPosition> pixels;
   const auto take = [&](std::int64_t m, std::int64_t n) {
@@ -80,9 +81,8 @@ std::vector<PixelPosition> pixels_round(const Segment& segment, const Margins& m
   const std::int64_t end =
       std::min<std::int64_t>(last.floor() + margins.beyond, x_major ? bounds.x_max : bounds.y_max);
   for (std::int64_t m = begin; m <= end; ++m) {
-    const Int128 along = Fixed::centre_of(m).raw() - major(segment.a).raw();
-    const std::int64_t at =
-        (minor(segment.a) + Fixed::from_raw(static_cast<std::int64_t>(along * rise / run))).floor();
+    const std::int64_t along = Fixed::centre_of(m).raw() - major(segment.a).raw();
+    const std::int64_t at = (minor(segment.a) + Fixed::from_raw(along * rise / run)).floor();
     for (std::int64_t n = at - margins.aside; n <= at + margins.aside; ++n) take(m, n);
   }
   return pixels;
@@ -292,7 +292,7 @@ std::vector<PixelPosition> tested_ends_pixels(const Segment& segment, int width,
                                       corner(end, half_width), corner(start, half_width)};
   // The corners are counter-clockwise if the line runs along. If the ends have moved past each
   // other, the order is reversed and the inside is behind every side: nothing is drawn.
-  const Int128 turn = line.runs_along() ? 1 : -1;
+  const std::int64_t turn = line.runs_along() ? 1 : -1;
   // Ends move along the line by at most a pixel. Rounding to the grid moves them sideways by less
   // than the other half of the width, which the search includes.
   std::vector<PixelPosition> pixels =
@@ -302,8 +302,8 @@ std::vector<PixelPosition> tested_ends_pixels(const Segment& segment, int width,
     for (std::size_t i = 0; i < 4; ++i) {
       const Corner& a = corners[i];
       const Corner& b = corners[(i + 1) % 4];
-      const Int128 dx = turn * (b.x - a.x), dy = turn * (b.y - a.y);
-      const Int128 side = dx * (sample.y - a.y) - dy * (sample.x - a.x);
+      const std::int64_t dx = turn * (b.x - a.x), dy = turn * (b.y - a.y);
+      const std::int64_t side = dx * (sample.y - a.y) - dy * (sample.x - a.x);
       if (!ties.positive(side, -dy, dx)) return true;
     }
     return false;

@@ -46,10 +46,8 @@ void visit_pixels_near(const Segment& segment, const PixelBounds& bounds, Visit 
   for (std::int64_t m = begin; m <= end; ++m) {
     // Minor coordinate at the column's centre, clamped to the segment; off by less than a raw unit.
     const Fixed centre = std::clamp(Fixed::centre_of(m), first, last);
-    const Int128 along = static_cast<Int128>(centre.raw() - major(segment.a).raw()) * rise;
-    const Fixed at =
-        run == 0 ? minor(segment.a)
-                 : minor(segment.a) + Fixed::from_raw(static_cast<std::int64_t>(along / run));
+    const std::int64_t along = (centre.raw() - major(segment.a).raw()) * rise;
+    const Fixed at = run == 0 ? minor(segment.a) : minor(segment.a) + Fixed::from_raw(along / run);
     const auto low = std::max<std::int64_t>(at.floor() - 2, minor_low);
     const auto high = std::min<std::int64_t>(at.floor() + 2, minor_high);
     for (std::int64_t n = low; n <= high; ++n)

@@ -52,6 +52,7 @@ TEST(Refuted, IsWhatIsDrawnOtherwise) {
   for (const std::int64_t step : {65536, 32768, 4096, 256, 1})
     for (int i = 0; i < 60; ++i) {
       Scene scene = scenes.next({i % 2 == 0 ? 8 : 24, step, 3, false});
+      if (i % 10 == 0) scene.target.samples = 4;
       // Of some, the facing has a say.
       for (Draw& draw : scene.draws)
         if (scenes.below(3) == 0) draw.cull = CullMode::back;
@@ -83,11 +84,11 @@ TEST(Refuted, IsWhatIsDrawnOtherwise) {
   EXPECT_GT(refuted, 3 * primitives);
 }
 
-// Clipped triangles, of which corners are moved in some ways to clip and not in others, with sides
-// that are culled and without.
-TEST(Refuted, IsWhatIsDrawnOtherwiseOfClippedTriangles) {
+// Triangles of clip positions. Of those that are clipped, corners are moved in some ways to clip
+// and not in others. Sides are culled of some.
+TEST(Refuted, IsWhatIsDrawnOtherwiseOfClipPositions) {
   ClippedScenes random(6);
-  std::size_t clipped = 0, refuted = 0;
+  std::size_t clipped = 0, whole = 0, refuted = 0;
   const Policy policies[] = {
       policy_of({}),
       policy_of({{"clip.volume", "polygon"}, {"subpixel.snap", "8-half-even"}}),
@@ -95,11 +96,13 @@ TEST(Refuted, IsWhatIsDrawnOtherwiseOfClippedTriangles) {
       policy_of({{"triangle.fill-rule", "closed"}, {"triangle.row-order", "top-down"}}),
       policy_of({{"subpixel.snap", "4-half-up"}}),
   };
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < 320; ++i) {
     Scene scene = random.scene(Primitive::triangles, 3, {0, 0, 8, 8});
+    if (i % 2 != 0)
+      for (Vertex& vertex : scene.draws[0].vertices) vertex = random.vertex_inside();
     if (i % 3 == 0) scene.draws[0].cull = CullMode::back;
     const ScenePrimitive primitive = primitives_of(scene).at(0);
-    clipped += primitive.is_clipped;
+    ++(primitive.is_clipped ? clipped : whole);
     for (const Policy& policy : policies) {
       const RuleChoices choices = resolve(policy, Surface::fbo);
       const CauseQuestion question{primitive, scene.target, choices};
@@ -112,6 +115,7 @@ TEST(Refuted, IsWhatIsDrawnOtherwiseOfClippedTriangles) {
     }
   }
   EXPECT_GT(clipped, 100U);
+  EXPECT_GT(whole, 100U);
   EXPECT_GT(refuted, clipped);
 }
 

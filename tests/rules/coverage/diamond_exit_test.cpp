@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <random>
 #include <utility>
 #include <vector>
 
+#include "rules/coverage/segment.h"
 #include "tests/support/points.h"
 
 namespace edgecase {
@@ -98,6 +100,44 @@ TEST(DiamondExit, BoundariesMatterAtTiedPixelsAlone) {
         }
   std::printf("%zu tied pixels\n", tied);
   EXPECT_GT(tied, 10'000u);
+}
+
+// Long segments, of which most pixels lie far from both ends.
+TEST(DiamondExit, BoundariesMatterAtTiedPixelsAloneOfLongSegments) {
+  std::mt19937 random(3);
+  const PixelBounds bounds{0, 0, 39, 39};
+  std::size_t tied = 0;
+  const auto any = [&](int most) {
+    return static_cast<int>(random() % static_cast<unsigned>(most + 1));
+  };
+  for (int i = 0; i < 3000; ++i) {
+    const int steps = 1 << any(3);
+    const double run = any(40 * steps), rise = i % 3 == 0 ? run : any(40 * steps);
+    const Point a = at(any(8) / 8., any(8 * steps) * 1. / steps);
+    const double sign = any(1) == 0 ? 1 : -1;
+    const Point b{
+        a.x + Fixed::from_raw(static_cast<std::int64_t>(run / steps * Fixed::kOne)),
+        a.y + Fixed::from_raw(static_cast<std::int64_t>(sign * rise / steps * Fixed::kOne))};
+    const Segment segment = any(1) == 0 ? Segment{a, b} : Segment{b, a};
+    const std::vector<PixelPosition> found = tied_line_pixels(segment, bounds);
+    std::vector<PixelPosition> wanted;
+    visit_pixels_near(segment, bounds, [&](PixelPosition p) {
+      const auto differs = [&](const DiamondBoundary& boundary) {
+        return meets_diamond(segment, p.x, p.y, boundary) != meets_diamond(segment, p.x, p.y, gl());
+      };
+      const auto ends_so = [&](const DiamondBoundary& boundary) {
+        return ends_in_diamond(segment, p.x, p.y, boundary) !=
+               ends_in_diamond(segment, p.x, p.y, gl());
+      };
+      const auto boundaries = all_diamond_boundaries();
+      if (std::ranges::any_of(boundaries, differs) || std::ranges::any_of(boundaries, ends_so))
+        wanted.push_back(p);
+    });
+    ASSERT_EQ(found, wanted) << i;
+    tied += found.size();
+  }
+  std::printf("%zu tied pixels\n", tied);
+  EXPECT_GT(tied, 1'000u);
 }
 
 // Nothing is tied where nothing lies on a quarter.
