@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <iterator>
 #include <mutex>
 #include <utility>
 
@@ -172,9 +173,32 @@ void CaseStore::sort_by_id() {
   std::ranges::sort(entries_, {}, &Entry::id);
 }
 
-void CaseStore::keep_share(std::size_t index, std::size_t count) {
+void CaseStore::keep_sample(std::size_t index, std::size_t count) {
   std::size_t at = 0;
   std::erase_if(entries_, [&](const Entry&) { return at++ % count != index; });
+}
+
+// The lightest share takes the next stretch. There are several stretches to each, so that the last
+// ones make all even.
+void CaseStore::keep_share(std::size_t index, std::size_t count) {
+  if (count == 1) return;
+  constexpr std::size_t kMostCases = 64;
+  const std::size_t stretches = 8 * count;  // at least, if there are as many cases
+  std::size_t whole = 0;
+  for (const Entry& entry : entries_) whole += entry.weight;
+  const SliceLimits limits{whole / stretches,
+                           std::clamp<std::size_t>(entries_.size() / stretches, 1, kMostCases)};
+  std::vector<std::size_t> weights(count);
+  std::vector<Entry> kept;
+  for (const CaseSlice& stretch : cut_cases(*this, limits)) {
+    const auto lightest = std::ranges::min_element(weights);
+    for (std::size_t i = stretch.begin; i < stretch.end; ++i) *lightest += entries_[i].weight;
+    if (lightest - weights.begin() != static_cast<std::ptrdiff_t>(index)) continue;
+    const auto begin = std::make_move_iterator(entries_.begin());
+    kept.insert(kept.end(), begin + static_cast<std::ptrdiff_t>(stretch.begin),
+                begin + static_cast<std::ptrdiff_t>(stretch.end));
+  }
+  entries_ = std::move(kept);
 }
 
 std::vector<CaseSlice> cut_cases(const CaseStore& cases, SliceLimits most) {

@@ -41,7 +41,10 @@ class CaseStore {
   // Throws a ShelfError if the shelf has no room.
   void push_back(Case one);
   void sort_by_id();
-  // Keeps the cases at `index`, `index` + `count` and so on.
+  // Keeps the cases at `index`, `index` + `count` and so on: an even sample.
+  void keep_sample(std::size_t index, std::size_t count);
+  // Keeps one of `count` shares of about the same weight, which together have every case once. A
+  // share is stretches of up to 64 neighbours, which repeat programs and states of the driver.
   void keep_share(std::size_t index, std::size_t count);
 
  private:

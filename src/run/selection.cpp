@@ -364,10 +364,11 @@ Suite load_suite(const Selection& selection) {
   keeper.tell(suite.diagnostics);
   suite.is_misspelt = suite.cases.empty() && in_files == 0 && !suite.diagnostics.empty();
   suite.cases.sort_by_id();
+  suite.cases.keep_sample(static_cast<std::size_t>(selection.sample.index),
+                          static_cast<std::size_t>(selection.sample.count));
   if (selection.shard.count > 1)
     suite.share = {selection.shard.index, selection.shard.count, suite.cases.size(),
                    digest_of(suite.cases, files)};
-  // Round robin, so that shards are of one size and each sees every folder.
   suite.cases.keep_share(static_cast<std::size_t>(selection.shard.index),
                          static_cast<std::size_t>(selection.shard.count));
   return suite;

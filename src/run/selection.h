@@ -67,7 +67,8 @@ struct Selection {
   std::vector<std::string> excludes;
   std::vector<std::string> tags;   // a case needs one of them; none: all
   std::optional<NamedCases> only;  // of all that the others select
-  Shard shard;                     // applied last, round robin over sorted ids
+  Shard sample;                    // every count-th case, by id, of what the others select
+  Shard shard;                     // applied last (CaseStore::keep_share)
 };
 
 struct Suite {

@@ -23,7 +23,7 @@ from support import (BIN, SUITE, UNEXPECTED, CommandTest, environment, only_resu
 RENDERER_FAILED = 4
 PATIENCE = 20  # seconds
 SOFTWARE = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
-CORE = [SUITE, "--suite", "core", "--shard", "1/32" if IS_QUICK else "1/2"]
+CORE = [SUITE, "--suite", "core", "--sample", "1/32" if IS_QUICK else "1/2"]
 FEW = [f"{SUITE}/triangles/shared-edges", "--filter", "triangles/shared-edges/h*"]
 TOLD_ALIKE = [f"{SUITE}/{name}.json" for name in (
     "output/depth/at-each-sample", "output/depth/clear-value-at-samples",
@@ -140,7 +140,7 @@ class Page(CommandTest):
 
     def test_a_tab_that_is_about_to_be_closed_asks(self):
         """What was drawn until then can be saved, and says that it is not all."""
-        self.open(self.page_of(SUITE, "--exclude", "scenes/*", "--shard", "1/20"))
+        self.open(self.page_of(SUITE, "--exclude", "scenes/*", "--sample", "1/20"))
         recording = self.draw(instead="page.run(); await new Promise((go) => setTimeout(go, 2000));")
         self.assertEqual(self.state(), "drawing")
         self.assertTrue(self.browser.ask(
@@ -176,7 +176,7 @@ class Page(CommandTest):
 
     @in_full_tier
     def test_without_float_targets_the_rest_is_drawn(self):
-        self.open(self.page_of(f"{SUITE}/samples/supersampling", *FEW[:1], "--shard", "1/40"), """
+        self.open(self.page_of(f"{SUITE}/samples/supersampling", *FEW[:1], "--sample", "1/40"), """
           const whole = WebGL2RenderingContext.prototype.getExtension;
           WebGL2RenderingContext.prototype.getExtension = function (name) {
             return name.includes("float") ? null : whole.call(this, name);
@@ -229,7 +229,7 @@ class Page(CommandTest):
     def test_samples_that_lie_are_refused(self):
         """What a page finds of a buffer's samples is proven before any scene is drawn with it."""
         page = self.page_of(f"{SUITE}/output/depth/at-each-sample.json",
-                            f"{SUITE}/output/stencil/at-each-sample.json", "--shard", "1/4")
+                            f"{SUITE}/output/stencil/at-each-sample.json", "--sample", "1/4")
         for place, alteration, reasons in (
                 ("float(1 << gl_SampleID)", "float(1 << (3 - gl_SampleID))",
                  ["not hold what a buffer without them holds", "not hold the stencils written"]),
@@ -300,7 +300,7 @@ class Live(CommandTest):
     def recorded(self, renderer):
         """Of a share of the flat cases."""
         path = self.folder / f"{renderer.replace(':', '-')}.rec"
-        self.command("record", *FLAT, "--shard", "1/8", "--against", renderer, "-o", path, expect=None)
+        self.command("record", *FLAT, "--sample", "1/8", "--against", renderer, "-o", path, expect=None)
         run = self.command("render", *FLAT, "--with", f"recording:{path}", "--json", "-", expect=None)
         return answers(run.stdout)
 

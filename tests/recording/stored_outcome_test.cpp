@@ -40,7 +40,7 @@ Suite some_of_the_suite() {
   Selection selection;
   selection.paths = {std::filesystem::path(EDGECASE_ROOT) / "cases"};
   selection.excludes = {"scenes/*"};
-  selection.shard = {7, 150};
+  selection.sample = {7, 150};
   return load_suite(selection);
 }
 

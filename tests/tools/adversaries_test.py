@@ -106,7 +106,7 @@ class Adversaries(CommandTest):
             driver = DRIVERS[list(CRIMES).index(name) % len(DRIVERS)]
             with self.subTest(name, driver=driver):
                 cases = self.judged(name, *(f"{SUITE}/{folder}" for folder in folders),
-                                    "--shard", f"1/{share}", driver=driver)
+                                    "--sample", f"1/{share}", driver=driver)
                 new = [case for case in cases if only_result(case)["standing"] == "unexpected"]
                 found = collections.Counter(rule for _, rule, _ in violations(new))
                 self.assertTrue(rules & set(found), f"{name}: {found}")

@@ -207,8 +207,9 @@ class Selection(CommandTest):
         everything = self.listed(*SELECTED)
         by_option = [self.listed(*SELECTED, "--shard", f"{i}/3") for i in (1, 2, 3)]
         self.assertEqual(sorted(sum(by_option, [])), everything)
+        # They weigh the same, and cases of these folders do nearly.
         sizes = [len(part) for part in by_option]
-        self.assertLessEqual(max(sizes) - min(sizes), 1)
+        self.assertLess(max(sizes), 2 * min(sizes))
         for i in range(3):
             by_bazel = self.listed(*SELECTED, TEST_TOTAL_SHARDS="3", TEST_SHARD_INDEX=str(i))
             by_gitlab = self.listed(*SELECTED, CI_NODE_TOTAL="3", CI_NODE_INDEX=str(i + 1))
@@ -217,6 +218,16 @@ class Selection(CommandTest):
         # The option has the last word.
         self.assertEqual(self.listed(*SELECTED, "--shard", "1/3", TEST_TOTAL_SHARDS="7",
                                      TEST_SHARD_INDEX="2"), by_option[0])
+
+    def test_samples_take_every_so_many_th_case(self):
+        everything = self.listed(*SELECTED)
+        for i in (1, 2, 50):
+            self.assertEqual(self.listed(*SELECTED, "--sample", f"{i}/50"), everything[i - 1::50])
+        # A sample is divided into shards, and is not the whole suite.
+        shards = [self.listed(*SELECTED, "--sample", "2/50", "--shard", f"{i}/2") for i in (1, 2)]
+        self.assertEqual(sorted(sum(shards, [])), everything[1::50])
+        told = self.command("run", *SELECTED, "--sample", "0/3", "--list", expect=USAGE).stderr
+        self.assertIn("\"0/3\" is no sample; write I/N with I from 1 to N", told)
 
     def test_filters_excludes_and_tags(self):
         everything = set(self.listed(*SELECTED))

@@ -3,15 +3,17 @@
 import unittest
 
 from suite_data import COUNT, least_of, shard
-from support import PROBES, ROOT, UNHURRIED, CommandTest, only_result
+from support import PATIENCE, PROBES, ROOT, CommandTest, only_result
 
 PROGRAM = f"exec:/usr/bin/env python3 {ROOT / 'reference/examples/rasterizer.py'}"
+# Python draws slowly, and on a busy machine an answer may take longer than the command waits.
+PATIENT = ["--timeout", str(PATIENCE // 20)]
 
 
 class PythonExample(CommandTest):
     def check(self, refusal, *selection):
         """(cases that it draws, cases that it says it does not)"""
-        results = self.results(*selection, "--against", PROGRAM, *UNHURRIED, expect=None)
+        results = self.results(*selection, "--against", PROGRAM, *PATIENT, expect=None)
         drawn = refused = 0
         for case in results["cases"]:
             result = only_result(case)

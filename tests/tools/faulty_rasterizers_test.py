@@ -85,7 +85,7 @@ class FaultyRasterizers(CommandTest):
         """The results of one case in so many."""
         words = [sys.executable, "-B", str(HERE / f"{fault.program}.py"), name]
         paths = [f"{SUITE}/{folder}" for folder in fault.folders]
-        cases = self.results(*paths, "--shard", f"1/{share}", *fault.options, "--timeout",
+        cases = self.results(*paths, "--sample", f"1/{share}", *fault.options, "--timeout",
                              "60", "--against", "exec:" + " ".join(map(shlex.quote, words)),
                              expect=expect)["cases"]
         return [only_result(case) for case in cases]

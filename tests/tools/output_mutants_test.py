@@ -41,7 +41,7 @@ class OutputMutants(CommandTest):
         """Some of the cases of these files, spread over all of them."""
         paths = [f"{FOLDER}/{name}.json" for name in names]
         listed = self.command("run", *paths, "--list").stdout.split()
-        return [*paths, "--shard", f"1/{-(-len(listed) // MOST)}"]
+        return [*paths, "--sample", f"1/{-(-len(listed) // MOST)}"]
 
     def judged(self, fault, expect=UNEXPECTED):
         cases = self.results(*self.selection(CASES[fault]), "--against", self.against(fault),

@@ -16,7 +16,7 @@ SMALL = f"exec:{shlex.quote(str(BIN / 'edgecase-example'))}"
 LARGE = "exec:" + " ".join(map(shlex.quote, [
     sys.executable, "-B", str(ROOT / "reference" / "examples" / "rasterizer.py")]))
 # One case in so many, of the folders that the example in C++ has something of.
-SHARE = ["--shard", "1/20"]
+SHARE = ["--sample", "1/20"]
 FOLDERS = ("colors", "lines", "points", "surfaces", "targets", "triangles")
 
 # A program that hands every request on to the example in C++, and its answers back. BEFORE changes

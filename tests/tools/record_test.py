@@ -39,7 +39,7 @@ class Record(CommandTest):
         """Some cases of each folder but those of whole scenes. Of a share of the suite they stand
         alone: all cases, and what is expected of them, take longer to load than some to draw."""
         if COUNT == 1:
-            return [SUITE, "--exclude", "scenes/*", "--shard", "5/100"]
+            return [SUITE, "--exclude", "scenes/*", "--sample", "5/100"]
         files = [file for file in files_of_share() if "scenes" not in file.parts]
         self.copy_cases({*files[2::4], *REMARKABLE})
         return ["cases"]

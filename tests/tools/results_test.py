@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What results of the suite say, those of the four Mesa renderers: clusters count what is told, what
-is cited exists, reports can be made of them again, a shard is judged as the whole, and
+is cited exists, reports can be made of them again, a sample is judged as the whole, and
 --no-latitude."""
 import json
 import unittest
@@ -57,7 +57,7 @@ class Results(CommandTest):
         for name in first:
             self.assertTrue(first[name] == again[name], name)
 
-    def test_a_shard_is_judged_as_the_whole_is(self):
+    def test_a_sample_is_judged_as_the_whole_is(self):
         fingerprints = {case["id"]: case["results"]["egl:softpipe"]["fingerprint"]
                         for case in cases_of(mesa() / "reports.json")}
         for part in 1, 4:

@@ -35,7 +35,7 @@ ID = re.compile(r'\{"id":"([^"\\]+)"')
 def shard(part=1, parts=1):
     """Options: of this process's share of a selection, one part in so many. They deal the cases in
     turn, as in_share does."""
-    return ["--shard", f"{NUMBER + COUNT * (part - 1)}/{COUNT * parts}"]
+    return ["--sample", f"{NUMBER + COUNT * (part - 1)}/{COUNT * parts}"]
 
 
 def files_of_share(*folders):

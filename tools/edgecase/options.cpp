@@ -39,12 +39,13 @@ void touch_status_file() {
     throw std::runtime_error("the file that TEST_SHARD_STATUS_FILE names cannot be touched");
 }
 
-Shard shard_of_option(const std::string& text) {
+// `text`: "I/N", of the option --`name`.
+Shard shard_of_option(const char* name, const std::string& text) {
   const auto shard = parse_shard(text);
   if (!shard)
-    throw CLI::ValidationError("--shard", fmt::format("\"{}\" is no shard; write I/N with I from "
-                                                      "1 to N, for example 1/4",
-                                                      text));
+    throw CLI::ValidationError(
+        fmt::format("--{}", name),
+        fmt::format("\"{}\" is no {}; write I/N with I from 1 to N, for example 1/4", text, name));
   return *shard;
 }
 
@@ -197,6 +198,8 @@ void SelectionOptions::add_to(CLI::App& command, bool with_shard) {
   add_repeatable(command, "--exclude", excludes,
                  "Leave out cases whose id matches this glob; repeatable");
   add_repeatable(command, "--tag", tags, "Only cases with this tag; repeatable");
+  command.add_option("--sample", sample,
+                     "I/N: only every N-th of the cases, from the I-th on, I from 1");
   obeys_variables = with_shard;
   if (with_shard)
     command.add_option("--shard", shard,
@@ -210,9 +213,10 @@ Selection SelectionOptions::selection() const {
   result.excludes = excludes;
   result.tags = tags;
   if (!suite.empty()) result.only = core_of(result);
+  if (!sample.empty()) result.sample = shard_of_option("sample", sample);
   if (obeys_variables) {
     touch_status_file();
-    result.shard = shard.empty() ? shard_of_environment() : shard_of_option(shard);
+    result.shard = shard.empty() ? shard_of_environment() : shard_of_option("shard", shard);
   }
   return result;
 }
@@ -280,7 +284,7 @@ std::filesystem::path suite_folder(const Selection& selection) {
 bool is_whole_suite(const Selection& selection) {
   namespace fs = std::filesystem;
   if (selection.only || !selection.diagnostics.empty() || !selection.filters.empty() ||
-      !selection.excludes.empty() || !selection.tags.empty())
+      !selection.excludes.empty() || !selection.tags.empty() || selection.sample.count > 1)
     return false;
   const fs::path folder = suite_folder(selection);
   return std::any_of(selection.paths.begin(), selection.paths.end(), [&](const fs::path& path) {

@@ -44,21 +44,22 @@ Selection select_cases(const std::vector<std::string>& words);
 // "there is no rule "line.snab"; did you mean "line.snap"? `edgecase rules` prints all".
 void print_no_rule(const std::string& id);
 
-// The options that select cases: PATH…, --suite, --filter, --exclude, --tag, --shard.
+// The options that select cases: PATH…, --suite, --filter, --exclude, --tag, --sample, --shard.
 struct SelectionOptions {
   std::vector<std::string> paths;
   std::string suite;  // "core": the cases that the suite's file core.txt lists; empty: all
   std::vector<std::string> filters;
   std::vector<std::string> excludes;
   std::vector<std::string> tags;
+  std::string sample;
   std::string shard;
   bool obeys_variables = false;  // set by add_to
 
   void add_to(CLI::App& command, bool with_shard);
   // The selection; without a path, `cases`. Throws CLI::ValidationError for a --suite without a
-  // list, a bad --shard and, if that is an option and not given, for bad variables of CI systems.
-  // If variables select a shard, prints so to standard error, and touches the file that Bazel
-  // requires.
+  // list, a bad --sample or --shard and, if that is an option and not given, for bad variables of
+  // CI systems. If variables select a shard, prints so to standard error, and touches the file that
+  // Bazel requires.
   Selection selection() const;
 };
 

@@ -43,6 +43,7 @@ constexpr HelpPage kPages[] = {
      "edgecase run lines --against egl:softpipe --html lines.html\n"
      "edgecase run \"triangles/*\" --against \"exec:python3 my_rasterizer.py\" --open\n"
      "edgecase run --shard 2/4 --json 2.zst\n"
+     "edgecase run --sample 1/50 --against egl:softpipe\n"
      "edgecase run --json results.zst --resume"},
     {"report", kRun,
      "The reports are those that a run can write. The text of a case file is shown if the file has "
