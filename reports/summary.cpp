@@ -33,9 +33,9 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.{}f} s", seconds, seconds < kFew ? 1 : 0);
 }
 
-// "30,718 cases, 2 renderers: 0 unexpected, 41 s", in green or, if the run fails, in red. Other
-// reasons for failing are added.
-std::string first_line(const Results& results, std::optional<double> seconds,
+// "30,718 cases, 2 renderers: 0 unexpected, 61,400 answers as before, 41 s", in green or, if the
+// run fails, in red. Other reasons for failing are added.
+std::string first_line(const Results& results, const std::optional<RunCost>& cost,
                        const Painter& paint) {
   std::size_t drawings = 0;
   for (const CaseOutline& one : results.cases.outlines()) drawings += one.expect_failures;
@@ -50,7 +50,9 @@ std::string first_line(const Results& results, std::optional<double> seconds,
   if (results.interrupted) found.emplace_back("interrupted");
   const bool is_good = unexpected == 0 && found.empty();
   found.insert(found.begin(), grouped(unexpected) + " unexpected");
-  if (seconds) found.push_back(duration_text(*seconds));
+  if (cost && cost->as_before > 0)
+    found.push_back(counted(cost->as_before, "answer", "answers") + " as before");
+  if (cost) found.push_back(duration_text(cost->seconds));
   const std::string text = fmt::format("{}, {}: {}", counted(results.cases.size(), "case", "cases"),
                                        counted(results.renderers.size(), "renderer", "renderers"),
                                        fmt::join(found, ", "));
@@ -184,9 +186,9 @@ void write_unsupported(const Results& results, std::ostream& out) {
 }  // namespace
 
 void write_summary(const Results& results, bool color, std::ostream& out,
-                   std::optional<double> seconds) {
+                   std::optional<RunCost> cost) {
   const Painter paint(color);
-  out << first_line(results, seconds, paint) << '\n';
+  out << first_line(results, cost, paint) << '\n';
   write_unexpected(results, paint, out);
 
   std::vector<std::string> files;

@@ -5,6 +5,7 @@
 // renderer, and the causes of all differences (reports/cluster_summary.h).
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
 #include <optional>
 
@@ -13,11 +14,17 @@
 
 namespace edgecase {
 
-// `color`: with ANSI escapes. `seconds`: the duration of the run, if known. Of each list at most 20
+// What is to be said of the run that found the results.
+struct RunCost {
+  double seconds = 0;
+  std::size_t as_before = 0;  // answers that an earlier run has compared (run/earlier_answers.h)
+};
+
+// `color`: with ANSI escapes. `cost`: if known. Of each list at most 20
 // entries are written, then "and N more". Text from files and renderers is written on one line with
 // control characters made visible, so that no title can control the terminal.
 void write_summary(const Results& results, bool color, std::ostream& out,
-                   std::optional<double> seconds = {});
+                   std::optional<RunCost> cost = {});
 
 // Changes since earlier results: for each renderer the number of cases, and the ten largest groups
 // by kind of change, rule and cause.

@@ -73,6 +73,8 @@ struct ResultOutline {
   std::vector<std::string> faults;  // ids of the known faults that account for something in it
   // Of an unexpected answer that was asked for a second time, what came then, where it was another.
   std::optional<Judgement> again;
+  // Of the answer and of all else that its comparison depends on (run/answer_digest.h); 0: unknown.
+  std::uint64_t answer_digest = 0;
 };
 
 inline Judgement judgement_of(const ResultOutline& answer) {

@@ -36,7 +36,8 @@ class Digest {
     return *this;
   }
 
-  // 16 hexadecimal digits.
+  std::uint64_t number() const { return hash_; }
+  // The number as 16 hexadecimal digits.
   std::string text() const {
     std::string digits;
     for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[hash_ >> shift & 0xf];

@@ -115,6 +115,8 @@ class CaseList {
   auto begin() const { return ListIterator<CaseList, &CaseList::whole>(*this, 0); }
   auto end() const { return ListIterator<CaseList, &CaseList::whole>(*this, size()); }
 
+  // Shares the shelf: nothing is read.
+  const ShelvedCase& shelved(std::size_t index) const { return cases_[index]; }
   const CaseOutline& outline(std::size_t index) const { return cases_[index].outline; }
   ResultOutline& answer(std::size_t index, std::size_t renderer) {
     return cases_[index].outline.answers[renderer];

@@ -153,6 +153,16 @@ PixelCounts to_pixel_counts(const ReadJson& json) {
           WholeNumber(json.at("violation")), WholeNumber(json.at("same"))};
 }
 
+std::uint64_t to_digest(const ReadJson& json) {
+  const std::string_view text = to_text(json);
+  std::uint64_t digest = 0;
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, digest, 16);
+  if (read.ec != std::errc{} || read.ptr != end)
+    throw std::runtime_error(fmt::format("\"{}\" is no digest", text));
+  return digest;
+}
+
 Judgement to_answer(const ReadJson& json) {
   return {to_named<Verdict>(json.at("verdict")), json.at("fingerprint")};
 }
@@ -192,6 +202,7 @@ Failure to_failure(const ReadJson& json) {
 void read_judgement(const ReadJson& json, const CaseResults& one, Result& result) {
   result.verdict = to_named<Verdict>(json.at("verdict"));
   read_member(json, "fingerprint", result.fingerprint);
+  read_member(json, "answer_digest", result.answer_digest, to_digest);
   read_member(json, "standing", result.standing, to_named<Standing>);
   read_member(json, "standing_reason", result.standing_reason);
   read_member(json, "faults", result.faults);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "results/case_results_json.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "results/findings_json.h"
@@ -97,6 +99,8 @@ void CaseWriter::write_result(const Result& result) {
 void CaseWriter::write_judgement(const Result& result) {
   json_.member("verdict", name_of(result.verdict));
   if (!result.fingerprint.empty()) json_.member("fingerprint", result.fingerprint);
+  if (result.answer_digest != 0)
+    json_.member("answer_digest", fmt::format("{:016x}", result.answer_digest));
   if (result.standing != Standing::expected) json_.member("standing", name_of(result.standing));
   if (!result.standing_reason.empty()) json_.member("standing_reason", result.standing_reason);
   if (!result.faults.empty()) json_.member("faults", result.faults);

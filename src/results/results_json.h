@@ -22,10 +22,10 @@
 // Cases, a line each, in the order of their ids:
 //
 //   {"case": ID, "head", "fragments", "expect_failures", "pixels", "samples", "figure",
-//    "results": {RENDERER: {"verdict", "fingerprint", "standing", "standing_reason", "faults",
-//    "again", "failure", "pixel_counts", "disagreements", "values", "evidence",
-//    "illegal_line_snaps", "refuted", "exact_fragments", "rendered_fragments", "ramp", "pixels",
-//    "samples", "exact_pixels", "exact_samples"}}}
+//    "results": {RENDERER: {"verdict", "fingerprint", "answer_digest", "standing",
+//    "standing_reason", "faults", "again", "failure", "pixel_counts", "disagreements", "values",
+//    "evidence", "illegal_line_snaps", "refuted", "exact_fragments", "rendered_fragments", "ramp",
+//    "pixels", "samples", "exact_pixels", "exact_samples"}}}
 //
 // "head" is the number, from 0, of an earlier line with the fields that several cases share. Cases
 // of a file are consecutive, with their heads between them:
@@ -42,7 +42,8 @@
 // renderer was compared with exact with samples elsewhere, are the same with the case's.
 // Multisampled cases and their results have "samples" (results/samples_json.h).
 //
-// A result's "standing" is absent if it is expected. Its "faults" are the ids of the known faults
+// A result's "answer_digest" is 16 hexadecimal digits, and absent if it is unknown; "standing" is
+// absent if it is expected. Its "faults" are the ids of the known faults
 // that account for something in it; "again", present for flakes only, is {"verdict", "fingerprint"}
 // of the second answer. Its "pixel_counts" are {"agree", "convention", "permitted", "contested",
 // "violation", "same"} (model/result.h), and absent if nothing differs. A disagreement's "upright",

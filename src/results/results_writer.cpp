@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <functional>
+#include <future>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <string_view>
+#include <string>
 #include <utility>
 
 #include "model/threads.h"
@@ -167,7 +168,7 @@ class Divider {
   std::map<std::string, std::size_t> numbers_;  // of the file's heads
 };
 
-using Take = std::function<void(std::string_view)>;
+using Take = std::function<void(std::string)>;
 
 // Text is made on all processors, a few parts ahead of what is taken.
 void write_cases(const Results& results, const Take& take) {
@@ -211,12 +212,22 @@ void write_lines(const Results& results, const Take& take) {
 }  // namespace
 
 void write_results(const Results& results, std::ostream& out) {
-  write_lines(results, [&](std::string_view text) { out << text; });
+  write_lines(results, [&](const std::string& text) { out << text; });
 }
 
 void write_packed_results(const Results& results, std::ostream& out) {
   TextPacker packer(out);
-  write_lines(results, [&](std::string_view text) { packer.add(text); });
+  // One text is packed while the next ones are made.
+  std::future<void> packing;
+  const auto wait = [&] {
+    if (packing.valid()) packing.get();
+  };
+  write_lines(results, [&](std::string text) {
+    wait();
+    packing =
+        std::async(std::launch::async, [&packer, text = std::move(text)] { packer.add(text); });
+  });
+  wait();
   packer.finish();
 }
 

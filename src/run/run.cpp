@@ -20,8 +20,10 @@
 #include "model/text.h"
 #include "model/threads.h"
 #include "results/standing.h"
+#include "run/answer_digest.h"
 #include "run/case_store.h"
 #include "run/comparing.h"
+#include "run/earlier_answers.h"
 #include "run/expectation_check.h"
 #include "run/judging.h"
 #include "run/renderers.h"
@@ -45,33 +47,6 @@ struct Share {
   CaseSlice cases;
   bool is_large = false;
 };
-
-void add_choices(const Choices& choices, Digest& digest) {
-  for (const auto& [rule, alternative] : choices) digest.add(rule).add(alternative);
-  digest.add("");
-}
-
-void add_policy(const Policy& policy, Digest& digest) {
-  digest.add(policy.name).add(name_of(policy.latitude));
-  add_choices(policy.rules, digest);
-  for (const auto& [surface, choices] : policy.surfaces)
-    add_choices(choices, digest.add(name_of(surface)));
-}
-
-// Everything besides the cases that decides on results: the policy, and the profiles of the
-// renderers' releases. Profiles count under their own names, so that a recording has that of its
-// renderer.
-std::string digest_of(const Policy& policy, const Profiles& profiles,
-                      const std::vector<RendererInfo>& renderers) {
-  std::map<std::string, const Policy*> by_name;
-  for (const RendererInfo& info : renderers)
-    if (const Policy* profile = profiles_of(profiles, info.name).policy(info))
-      by_name.emplace(profile->name, profile);
-  Digest digest;
-  add_policy(policy, digest);
-  for (const auto& [name, profile] : by_name) add_policy(*profile, digest);
-  return digest.text();
-}
 
 bool is_large(const CaseStore& cases, const CaseSlice& slice) {
   return slice.end - slice.begin == 1 && cases.weight(slice.begin) >= kLarge;
@@ -159,6 +134,7 @@ class Run {
       : suite_(suite),
         options_(options),
         comparison_(suite.cases.size(), options),
+        digests_(options.policy, options.profiles),
         infos_(options.renderers.size()),
         results_(suite.cases.size()),
         unanswered_(suite.cases.size()),
@@ -167,6 +143,10 @@ class Run {
     for (auto& results : results_) results.resize(options.renderers.size());
     for (std::size_t r = 0; r < infos_.size(); ++r)
       infos_[r].name = split_name(options.renderers[r]).name;
+    if (options.earlier == nullptr || options.max_unexpected > 0) return;
+    std::vector<std::string> names;
+    for (const RendererInfo& info : infos_) names.push_back(info.name);
+    earlier_.emplace(*options.earlier, names);
   }
 
   Results operator()() {
@@ -179,6 +159,11 @@ class Run {
 
  private:
   using Renderers = std::map<std::size_t, std::unique_ptr<Renderer>>;  // by index
+
+  struct Answer {
+    Result result;
+    bool is_kept = false;  // what an earlier run found of it stands in the result's place
+  };
 
   bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
@@ -242,10 +227,11 @@ class Run {
         note_duration(tasks[i].id, index, asked);
         // A failure may come from being stopped itself.
         if (stopped() && std::holds_alternative<Failure>(outcome)) throw Stopped{};
-        std::unique_ptr<Result>& result = results_[cases[i]][index];
-        result = std::make_unique<Result>(comparison_.compare_outcome(
-            cases[i], asked_cases[i], std::move(outcome), renderer.info()));
-        count_unexpected(cases[i], asked_cases[i], renderer.info(), *result);
+        std::unique_ptr<Answer>& answer = results_[cases[i]][index];
+        answer = std::make_unique<Answer>(
+            answer_to(cases[i], asked_cases[i], index, std::move(outcome), renderer.info()));
+        if (!answer->is_kept)
+          count_unexpected(cases[i], asked_cases[i], renderer.info(), answer->result);
         if (--unanswered_[cases[i]] == 0) complete(cases[i], asked_cases[i]);
         report_progress();
         if (stopped() || (enough_ && !is_finishing_)) throw Stopped{};
@@ -256,6 +242,22 @@ class Run {
       throw;
     }
     note_info(index, renderer.info());
+  }
+
+  // Compares what the renderer at `index` gave the case at `at`, unless that was done before.
+  Answer answer_to(std::size_t at, const Case& one, std::size_t index, Outcome outcome,
+                   const RendererInfo& info) {
+    std::uint64_t digest = 0;
+    if (const auto* rendering = std::get_if<Rendering>(&outcome)) {
+      digest = digests_.of(one, *rendering, info);
+      if (earlier_ && earlier_->has(one.id, index, digest)) {
+        ++kept_;
+        return {{}, true};
+      }
+    }
+    Answer answer{comparison_.compare_outcome(at, one, std::move(outcome), info), false};
+    answer.result.answer_digest = digest;
+    return answer;
   }
 
   void note_duration(const std::string& id, std::size_t index,
@@ -294,11 +296,17 @@ class Run {
   // Exact renderings are the bulk of what a run holds: each is kept until the last renderer has
   // been held against it.
   void complete(std::size_t index, const Case& answered) {
+    const std::vector<std::unique_ptr<Answer>> answers = std::exchange(results_[index], {});
+    if (std::ranges::all_of(answers, [](const auto& answer) { return answer->is_kept; })) {
+      shelved_[index].emplace(earlier_->whole(answered.id, shelf_));
+      return;
+    }
     CaseResults one = describe(index, answered);
     comparison_.forget(index);
     one.results.reserve(infos_.size());
-    for (auto& result : std::exchange(results_[index], {}))
-      one.results.emplace_back(std::move(*result));
+    for (std::size_t r = 0; r < infos_.size(); ++r)
+      one.results.push_back(answers[r]->is_kept ? earlier_->result(answered.id, r)
+                                                : std::move(answers[r]->result));
     shelved_[index].emplace(one, shelf_);
   }
 
@@ -350,6 +358,7 @@ class Run {
     results.cases = take_complete_cases();
     results.left_out = suite_.cases.size() - results.cases.size();
     results.interrupted = results.left_out > 0;
+    if (options_.kept != nullptr) *options_.kept = kept_;
     judge_all(results);
     return results;
   }
@@ -357,16 +366,19 @@ class Run {
   const Suite& suite_;
   const RunOptions& options_;
   CaseComparison comparison_;
+  AnswerDigests digests_;
+  std::optional<EarlierAnswers> earlier_;
   std::vector<RendererInfo> infos_;
   // By case, then renderer, of cases that not all have answered.
-  std::vector<std::vector<std::unique_ptr<Result>>> results_;
+  std::vector<std::vector<std::unique_ptr<Answer>>> results_;
   std::vector<std::atomic<std::size_t>> unanswered_;  // by case: renderers
   std::deque<std::optional<ShelvedCase>> shelved_;    // cases that all have answered
   const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
   std::atomic<std::size_t> done_ = 0;
-  std::atomic<bool> enough_ = false;  // cases are unexpected
-  bool is_finishing_ = false;         // what was begun before that
-  std::set<std::size_t> unexpected_;  // cases, where their number matters
+  std::atomic<std::size_t> kept_ = 0;  // answers
+  std::atomic<bool> enough_ = false;   // cases are unexpected
+  bool is_finishing_ = false;          // what was begun before that
+  std::set<std::size_t> unexpected_;   // cases, where their number matters
   std::mutex mutex_;
 };
 

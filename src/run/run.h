@@ -42,6 +42,11 @@ struct RunOptions {
   // Look for a difference's causes among what the renderer's profile has before all others: the
   // same results, sooner.
   bool likely_first = true;
+  // Results of an earlier run: what they say of answers that are, to the bit, the same, under the
+  // same rules, is not found once more (run/earlier_answers.h). The same results, sooner. Null:
+  // none. Must live as long as the run, and is not used where max_unexpected is set.
+  const Results* earlier = nullptr;
+  std::size_t* kept = nullptr;  // the number of such answers; filled, where it is set
 };
 
 // Runs and judges. Renderer names must be known. Cases that were left out when the run ended early

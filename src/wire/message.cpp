@@ -177,6 +177,14 @@ std::string answer_message(std::uint64_t digest, const Outcome& outcome, bool co
   return bytes;
 }
 
+std::uint64_t digest_of_answer(const Scene& scene, const Rendering& rendering) {
+  std::string bytes;
+  Writer io(bytes);
+  carry(io, scene);
+  write_rendering(io, rendering);
+  return digest_of_bytes(bytes);
+}
+
 std::variant<Answer, WireError> parse_answer_message(std::string_view bytes, std::uint64_t digest,
                                                      const Scene& scene, bool coverage_only) {
   try {

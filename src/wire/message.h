@@ -45,6 +45,9 @@ std::string answer_message(std::uint64_t digest, const Outcome& outcome, bool co
 std::variant<Answer, WireError> parse_answer_message(std::string_view bytes, std::uint64_t digest,
                                                      const Scene& scene, bool coverage_only);
 
+// A digest of a scene and of an answer to it: of all that a message would carry of them.
+std::uint64_t digest_of_answer(const Scene& scene, const Rendering& rendering);
+
 // The messages between `edgecase bench` and a worker started with --bench: how long scenes take.
 // They are bytes between two programs built together, as above.
 enum class BenchTask : std::uint8_t {

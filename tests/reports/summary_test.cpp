@@ -44,16 +44,19 @@ Results agreeing(std::size_t count, std::size_t renderers) {
   return results;
 }
 
-std::string first_line_of(const Results& results, std::optional<double> seconds) {
+std::string first_line_of(const Results& results, std::optional<RunCost> cost) {
   std::ostringstream out;
-  write_summary(results, false, out, seconds);
+  write_summary(results, false, out, cost);
   return out.str().substr(0, out.str().find('\n'));
 }
 
 TEST(Summary, TheFirstLineSaysHowTheRunEnded) {
-  EXPECT_EQ(first_line_of(agreeing(30718, 2), 41.4),
+  EXPECT_EQ(first_line_of(agreeing(30718, 2), RunCost{41.4}),
             "30,718 cases, 2 renderers: 0 unexpected, 41 s");
-  EXPECT_EQ(first_line_of(agreeing(1, 1), 0.42), "1 case, 1 renderer: 0 unexpected, 0.4 s");
+  EXPECT_EQ(first_line_of(agreeing(1, 1), RunCost{0.42}),
+            "1 case, 1 renderer: 0 unexpected, 0.4 s");
+  EXPECT_EQ(first_line_of(agreeing(3, 1), RunCost{0.1, 1}),
+            "3 cases, 1 renderer: 0 unexpected, 1 answer as before, 0.1 s");
   EXPECT_EQ(first_line_of(agreeing(2, 1), {}), "2 cases, 1 renderer: 0 unexpected");
   Results results = agreeing(2, 2);
   results.cases.answer(1, 0).standing = Standing::unexpected;
@@ -63,7 +66,7 @@ TEST(Summary, TheFirstLineSaysHowTheRunEnded) {
   results.faults.resize(3);
   results.faults[1].state = results.faults[2].state = FaultState::grown;
   results.interrupted = true;
-  EXPECT_EQ(first_line_of(results, 9.96),
+  EXPECT_EQ(first_line_of(results, RunCost{9.96}),
             "2 cases, 2 renderers: 2 unexpected, 1 fault in case files, 2 drawings not met, "
             "2 known faults grown, interrupted, 10 s");
 }

@@ -60,6 +60,8 @@ TEST(BrokenResults, DamageIsNamedWithItsCase) {
       {"\"verdict\":\"permitted\",", "", "verdict"},
       {"\"kind\":\"value\"", "\"kind\":\"lost\"", "\"lost\""},
       {"\"kind\":\"timed-out\"", "\"kind\":\"tired\"", "\"tired\""},
+      {"\"answer_digest\":\"fedc", "\"answer_digest\":\"fedx", "is no digest"},
+      {"\"answer_digest\":\"fedc", "\"answer_digest\":\"fedcb", "is no digest"},
       {"\"standing\":\"flake\"", "\"standing\":7", "string"},
       {"\"again\":{\"verdict\":\"agree\"", "\"again\":{\"verdict\":\"fine\"", "\"fine\""},
       {"\"again\":{\"verdict\"", "\"again\":{\"versed\"", "verdict"},

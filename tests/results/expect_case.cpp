@@ -101,9 +101,9 @@ void expect_result(const Result& a, const Result& b) {
   EXPECT_EQ(a.faults, b.faults);
   EXPECT_EQ(a.again, b.again);
   EXPECT_EQ(std::tie(a.verdict, a.fingerprint, a.illegal_line_snaps, a.pixels, a.standing,
-                     a.standing_reason),
+                     a.standing_reason, a.answer_digest),
             std::tie(b.verdict, b.fingerprint, b.illegal_line_snaps, b.pixels, b.standing,
-                     b.standing_reason));
+                     b.standing_reason, b.answer_digest));
   ASSERT_EQ(a.failure.has_value(), b.failure.has_value());
   if (a.failure) {
     EXPECT_EQ(a.failure->kind, b.failure->kind);

@@ -108,16 +108,23 @@ TEST(PackedStream, ACutFileIsRefusedUnlessItIsGoneOnWith) {
     EXPECT_THAT(refusal(bytes.substr(0, size), Cut::kept), HasSubstr("no results file")) << size;
 }
 
-// The magic number tells packed lines from others, and how far back they refer may be more.
+// The magic number tells packed lines from others, and how far back they refer may be more. Some
+// bits of a frame mean nothing; a spoilt one that is read has said the same.
 TEST(PackedStream, SpoiltBytesAreRefused) {
   const std::string bytes = file_of(many(100));
   std::mt19937 random(2);
+  int harmless = 0;
   for (int round = 0; round < 60; ++round) {
     std::string spoilt = bytes;
     char& byte = spoilt[6 + random() % (bytes.size() - 6)];
     byte = static_cast<char>(byte ^ (1 << random() % 8));
-    ASSERT_NE(refusal(spoilt), "") << round;
+    const auto read = read_results(spoilt);
+    if (const auto* results = std::get_if<Results>(&read)) {
+      EXPECT_EQ(file_of(*results), bytes) << round;
+      ++harmless;
+    }
   }
+  EXPECT_LE(harmless, 2);
 }
 
 TEST(PackedStream, OtherFormatsAreToldByName) {

@@ -87,6 +87,7 @@ Result full_result() {
   Result result;
   result.verdict = Verdict::permitted;
   result.fingerprint = "0123456789abcdef";
+  result.answer_digest = 0xfedcba9876543210;
   result.disagreements = {disagreement(), Disagreement{}};
   result.values = {aggregate()};
   result.evidence = {{4,

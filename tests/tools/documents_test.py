@@ -320,7 +320,7 @@ class Documents(CommandTest):
         self.assertFalse(is_in_order(shown_pieces("c\n…\na\n"), "a\nb\nc\n"))
 
     def test_the_first_line_of_a_summary_is_compared_but_for_its_seconds(self):
-        said = without_seconds("3 cases, 2 renderers: 0 unexpected, 0.4 s\nmore\n")
+        said = without_seconds("3 cases, 2 renderers: 0 unexpected, 6 answers as before, 0.4 s\nmore\n")
         shown = "30,718 cases, 2 renderers: 0 unexpected, 41 s\n…\n"
         for right, wrong in (("41 s", "0.2 s"), ("30,718", "30,719"), ("30,718", "3"),
                              ("2 renderers", "3 renderers"), ("0 un", "1 un"), (", 41 s", "")):

@@ -8,7 +8,8 @@ time.
 import re
 
 # The first line of a run's summary: the number of cases, what is said of them, and the seconds.
-FIRST_LINE = re.compile(r"^([\d,]+)( cases?, .*, )\d+(?:\.\d)? s$", re.MULTILINE)
+FIRST_LINE = re.compile(r"^([\d,]+)( cases?, .*?, )(?:[\d,]+ answers? as before, )?\d+(?:\.\d)? s$",
+                        re.MULTILINE)
 
 
 def is_in_order(pieces, text):

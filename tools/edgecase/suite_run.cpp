@@ -151,6 +151,8 @@ std::optional<Results> run_judged(const Suite& suite, const Policy& policy,
   if (run.max_unexpected > 0) run.known = judged.known;
   run.durations = judged.durations;
   run.likely_first = judged.likely_first;
+  run.earlier = judged.compared;
+  run.kept = judged.kept;
   const InterruptGuard guard;
   auto ran = judged.earlier ? run_rest(suite, run, options, std::move(*judged.earlier))
                             : run_with_progress(suite, run, options);

@@ -49,13 +49,15 @@ std::optional<Results> run_against(const Suite& suite, const Policy& policy,
 // What `run` does beyond drawing: known faults, and what hangs on them.
 struct JudgedRun {
   std::vector<KnownFaults> known;
-  std::size_t max_unexpected = 0;    // RunOptions has it
-  bool reruns = true;                // ask for unexpected answers again (run/rerun.h)
-  bool whole_suite = false;          // as Results have it
-  bool strict = false;               // what is contested is unexpected, too
-  std::optional<MergePart> earlier;  // a run to go on with (run/merge.h)
-  Durations* durations = nullptr;    // RunOptions has it
-  bool likely_first = true;          // RunOptions has it
+  std::size_t max_unexpected = 0;     // RunOptions has it
+  bool reruns = true;                 // ask for unexpected answers again (run/rerun.h)
+  bool whole_suite = false;           // as Results have it
+  bool strict = false;                // what is contested is unexpected, too
+  std::optional<MergePart> earlier;   // a run to go on with (run/merge.h)
+  Durations* durations = nullptr;     // RunOptions has it
+  bool likely_first = true;           // RunOptions has it
+  const Results* compared = nullptr;  // RunOptions::earlier
+  std::size_t* kept = nullptr;        // RunOptions has it
 };
 
 // The same, with the known faults applied. Says on standard error where not all unexpected answers

@@ -40,7 +40,9 @@ ExitCode report(const ReportCommand& command) {
   if (!durations) return exit;
   files.durations = std::move(*durations);
   if (!command.since.empty()) {
-    files.since = changes_since(command.since, *results, exit);
+    auto before = load_results(command.since, exit);
+    if (!before) return exit;
+    files.since = changes_since(std::move(*before), *results, exit);
     if (!files.since) return exit;
   }
   if (!files.write(*results)) return ExitCode::internal;

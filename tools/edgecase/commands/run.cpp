@@ -150,6 +150,18 @@ std::variant<std::optional<MergePart>, ExitCode> kept_answers(const RunCommand& 
   return latest;
 }
 
+// Results that know what was found of many answers of the run: those of --since, of the run before
+// that is watched, or those that the run is to replace, which are then read into `replaced`. Null:
+// none.
+const Results* compared_before(const RunCommand& command, const std::optional<Results>& since,
+                               const Watched* watched, std::optional<Results>& replaced) {
+  if (command.ask_all || command.resume) return nullptr;
+  if (since) return &*since;
+  if (watched != nullptr && watched->latest) return &*watched->latest;
+  replaced = load_results_if_any(command.files.json_path());
+  return replaced ? &*replaced : nullptr;
+}
+
 // One line, what has changed since the latest results, and the files.
 ExitCode deliver_changes(const Results& latest, const Results& results, const ReportFiles& files,
                          const std::string& color, double seconds) {
@@ -175,6 +187,12 @@ ExitCode run(const RunCommand& command, Watched* watched = nullptr) {
   Selection selection = command.selection.selection();
   // A misspelt name is told before thousands of cases are loaded.
   if (!command.list && !are_renderers_known(command.run)) return ExitCode::usage;
+  std::optional<Results> since;
+  if (!command.list && !command.since.empty()) {
+    ExitCode exit = ExitCode::as_expected;
+    since = load_results(command.since, exit);
+    if (!since) return exit;
+  }
   if (command.last_failed)
     if (const auto exit = narrow_to_last_failed(command, selection)) return *exit;
   const auto policy = command.policy.load(selection, command.run.renderers);
@@ -196,21 +214,25 @@ ExitCode run(const RunCommand& command, Watched* watched = nullptr) {
                    command.strict,    std::move(std::get<std::optional<MergePart>>(earlier))};
   ReportFiles files = command.files;
   judged.likely_first = !command.ask_all;
+  std::optional<Results> replaced;
+  judged.compared = compared_before(command, since, watched, replaced);
+  std::size_t kept = 0;
+  judged.kept = &kept;
   if (!command.timings.empty()) judged.durations = &files.durations;
   // What was found is written although somebody asks to stop meanwhile.
   const InterruptGuard guard;
   auto results = run_judged(suite, *policy, *profiles, command.run, std::move(judged));
   if (!results) return ExitCode::usage;
-  if (!command.since.empty()) {
+  if (since) {
     ExitCode exit = ExitCode::as_expected;
-    files.since = changes_since(command.since, *results, exit);
+    files.since = changes_since(std::move(*since), *results, exit);
     if (!files.since) return exit;
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   ExitCode delivered =
       watched != nullptr && watched->latest
           ? deliver_changes(*watched->latest, *results, files, command.color, took.count())
-          : deliver_results(*results, files, command.color, took.count());
+          : deliver_results(*results, files, command.color, RunCost{took.count(), kept});
   if (!write_timings(command.timings, files.durations)) delivered = ExitCode::internal;
   const ExitCode exit = failing_on(command, *results, delivered, files.since);
   if (exit != ExitCode::internal) print_way_on(command, *results);
@@ -300,8 +322,9 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
       "--no-rerun", options->no_rerun,
       "Do not ask again after an unexpected answer; the second answer reveals flakes");
   command->add_flag("--ask-all", options->ask_all,
-                    "Look for causes among all alternatives, and not first among those that the "
-                    "renderer's profile has: the same results, later");
+                    "Compare every answer anew, also those that are, to the bit, as in the earlier "
+                    "results, and look for causes among all alternatives, and not first among "
+                    "those that the renderer's profile has: the same results, later");
   command
       ->add_flag(
           "--watch", options->watch,

@@ -6,14 +6,13 @@
 
 #include <iostream>
 
-#include "reports/summary.h"
 #include "tools/edgecase/options.h"
 #include "tools/edgecase/suite_run.h"
 
 namespace edgecase {
 
 ExitCode deliver_results(const Results& results, const ReportFiles& files, const std::string& color,
-                         std::optional<double> seconds) {
+                         std::optional<RunCost> cost) {
   const ExitCode exit = exit_code_of(results);
   if (exit == ExitCode::nothing_selected) {
     print_nothing_selected();
@@ -21,7 +20,7 @@ ExitCode deliver_results(const Results& results, const ReportFiles& files, const
   }
   const bool to_stdout = files.use_standard_output();
   write_summary(results, use_color(color, to_stdout ? STDERR_FILENO : STDOUT_FILENO),
-                to_stdout ? std::cerr : std::cout, seconds);
+                to_stdout ? std::cerr : std::cout, cost);
   if (files.since)
     write_changes(*files.since, use_color(color, to_stdout ? STDERR_FILENO : STDOUT_FILENO),
                   to_stdout ? std::cerr : std::cout);

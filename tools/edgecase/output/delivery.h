@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/summary.h"
 #include "results/results.h"
 #include "tools/edgecase/exit_code.h"
 #include "tools/edgecase/output/report_files.h"
@@ -15,8 +16,8 @@
 namespace edgecase {
 
 // Of results to which known faults were applied. Where no case was selected nothing is written, so
-// that what an earlier run wrote stays. `seconds`: what the run took, where it was one.
+// that what an earlier run wrote stays. `cost`: of the run, where it was one.
 ExitCode deliver_results(const Results& results, const ReportFiles& files, const std::string& color,
-                         std::optional<double> seconds = {});
+                         std::optional<RunCost> cost = {});
 
 }  // namespace edgecase

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -59,6 +60,15 @@ std::optional<Results> load_results(const std::string& path, ExitCode& exit, Cut
   return std::nullopt;
 }
 
+std::optional<Results> load_results_if_any(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
+  std::ifstream file(path, std::ios::binary);
+  auto read = read_results(file, Cut::kept);
+  if (auto* results = std::get_if<Results>(&read)) return std::move(*results);
+  return std::nullopt;
+}
+
 bool add_generation_of(const std::string& path, const Results& results, Generations& generations) {
   const auto fault = add_generation(generations, results);
   if (fault)
@@ -83,17 +93,14 @@ std::optional<Durations> load_durations(const std::vector<std::string>& paths, E
   return all;
 }
 
-std::optional<Comparison> changes_since(const std::string& path, const Results& results,
-                                        ExitCode& exit) {
-  auto before = load_results(path, exit);
-  if (!before) return std::nullopt;
+std::optional<Comparison> changes_since(Results before, const Results& results, ExitCode& exit) {
   if (!is_whole(results)) {
     std::set<std::string> ids;
     for (const CaseOutline& one : results.cases.outlines()) ids.insert(one.id);
-    before->cases.erase_if([&](const CaseOutline& one) { return !ids.contains(one.id); });
+    before.cases.erase_if([&](const CaseOutline& one) { return !ids.contains(one.id); });
   }
   exit = ExitCode::usage;
-  auto compared = compare_results(*before, results);
+  auto compared = compare_results(before, results);
   if (auto* comparison = std::get_if<Comparison>(&compared)) return std::move(*comparison);
   print_error(std::get<std::string>(compared));
   return std::nullopt;

@@ -23,6 +23,10 @@ namespace edgecase {
 std::optional<Results> load_results(const std::string& path, ExitCode& exit,
                                     Cut cut = Cut::refused);
 
+// The same, of a file that may be missing, broken or cut off: whoever asks can do without it, and
+// nothing is printed.
+std::optional<Results> load_results_if_any(const std::string& path);
+
 // Adds the results of a file to the generations of drivers. Prints an error and returns false for
 // results that are not whole.
 bool add_generation_of(const std::string& path, const Results& results, Generations& generations);
@@ -34,11 +38,10 @@ std::optional<Durations> load_durations(const std::vector<std::string>& paths, E
 // The option of commands that read such files.
 void add_timings_option(CLI::App& command, std::vector<std::string>& paths);
 
-// What changed from the results file at `path` to these. Of results that are not of a whole suite,
-// only the cases that they hold count. Nothing, with the error printed and the exit code that it
-// deserves, where that cannot be said.
-std::optional<Comparison> changes_since(const std::string& path, const Results& results,
-                                        ExitCode& exit);
+// What changed from earlier results to these. Of results that are not of a whole suite, only the
+// cases that they hold count. Nothing, with the error printed and the exit code that it deserves,
+// where that cannot be said.
+std::optional<Comparison> changes_since(Results before, const Results& results, ExitCode& exit);
 
 // --json, --junit, --html and the others; where none is given, results.zst, junit.xml and
 // report.html in out/.
