@@ -21,6 +21,8 @@ struct HomogeneousPoint {
   std::int64_t x = 0;
   std::int64_t y = 0;
   std::int64_t w = 1;
+  // Equal in each number, not only as points.
+  friend constexpr bool operator==(const HomogeneousPoint&, const HomogeneousPoint&) = default;
 };
 
 constexpr HomogeneousPoint homogeneous(Point point) {

@@ -86,7 +86,7 @@ std::optional<TexturedTriangle> FastTextures::looked_up(const ScenePrimitive& tr
   const Interval lambda = stage_.look_up(triangle, attributes, {0, 0}).lambda;
   const LevelRules rules{choice.crossover, choice.nearest_level, choice.level_weight, false, 0};
   const int last = last_level_of(stage_.decoded(use.texture), use.sampler, texture);
-  const std::vector<LevelPick> picks = pick_levels(lambda, use.sampler, last, rules);
+  const LevelPicks picks = pick_levels(lambda, use.sampler, last, rules);
   if (picks.size() != 1 || picks[0].filter != Filter::linear) return std::nullopt;
   const LevelPick& pick = picks[0];
   const TexelPlane* const first = plane_of(use.texture, std::min(pick.level, last));

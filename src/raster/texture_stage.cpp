@@ -12,7 +12,7 @@ namespace edgecase {
 
 namespace {
 
-void add(std::vector<Texel>& boxes, const Texel& box) {
+void add(Texels& boxes, const Texel& box) {
   for (const Texel& known : boxes)
     if (same_box(known, box)) return;
   boxes.push_back(box);
@@ -47,8 +47,8 @@ class PickedColors {
                SrgbDecoding decoding)
       : decoded_(decoded), lookup_(lookup), point_(point), decoding_(decoding) {}
 
-  void collect(const LevelPick& pick, std::vector<Texel>& boxes) const {
-    const std::vector<Texel> first = colors(pick, pick.level);
+  void collect(const LevelPick& pick, Texels& boxes) const {
+    const Texels first = colors(pick, pick.level);
     if (pick.next == pick.level)
       for (const Texel& color : first) add(boxes, color);
     else
@@ -56,18 +56,17 @@ class PickedColors {
   }
 
  private:
-  static void add_mixed(const std::vector<Texel>& first, std::vector<Texel> second, Interval weight,
-                        std::vector<Texel>& boxes) {
+  static void add_mixed(const Texels& first, Texels second, Interval weight, Texels& boxes) {
     constexpr std::size_t kManyPairs = 1000;
-    if (first.size() * second.size() > kManyPairs) second = {hull_of(second)};
+    if (first.size() * second.size() > kManyPairs) second.assign(1, Texel(hull_of(second)));
     for (const Texel& a : first)
       for (const Texel& b : second) add(boxes, mixed(a, b, weight));
   }
 
-  std::vector<Texel> colors(const LevelPick& pick, int level) const {
+  Texels colors(const LevelPick& pick, int level) const {
     const auto at = std::min(static_cast<std::size_t>(level), decoded_.levels.size() - 1);
-    std::vector<Texel> boxes = filter_level(decoded_.levels[at], decoded_.dimensions,
-                                            decoded_.format, pick.filter, point_, lookup_);
+    Texels boxes = filter_level(decoded_.levels[at], decoded_.dimensions, decoded_.format,
+                                pick.filter, point_, lookup_);
     if (decoding_ == SrgbDecoding::of_levels)
       for (Texel& box : boxes) box = srgb_decoded(box);
     return boxes;
@@ -93,8 +92,8 @@ Texel mixed(const Texel& a, const Texel& b, Interval weight) {
   return result;
 }
 
-Texel hull_of(const std::vector<Texel>& boxes) {
-  Texel result = boxes.at(0);
+Texel hull_of(std::span<const Texel> boxes) {
+  Texel result = boxes.front();
   for (const Texel& box : boxes)
     for (std::size_t c = 0; c < 4; ++c) result[c] = hull(result[c], box[c]);
   return result;
@@ -104,16 +103,16 @@ int last_level_of(const DecodedTexture& decoded, const Sampler& sampler, const T
   return std::min(last_level(sampler, texture), static_cast<int>(decoded.levels.size()) - 1);
 }
 
-std::vector<Texel> sample(const DecodedTexture& decoded, const Texture& texture,
-                          const Sampler& sampler, const TextureChoice& choice,
-                          const TextureSample& at, const SampleLatitude& latitude) {
+Texels sample(const DecodedTexture& decoded, const Texture& texture, const Sampler& sampler,
+              const TextureChoice& choice, const TextureSample& at,
+              const SampleLatitude& latitude) {
   const bool is_nothing = std::isnan(at.lambda.low) && std::isnan(at.lambda.high);
   const LevelRules rules{choice.crossover, choice.nearest_level, choice.level_weight,
                          latitude.any_tie, latitude.weight};
   const TexelLookup lookup{sampler.wrap, sampler.border, choice.wrap, choice.texel_grid,
                            latitude.texel};
   const PickedColors colors(decoded, lookup, at.point, latitude.decoding);
-  std::vector<Texel> boxes;
+  Texels boxes;
   for (const LevelPick& pick : pick_levels(is_nothing ? Interval(0) : at.lambda, sampler,
                                            last_level_of(decoded, sampler, texture), rules))
     colors.collect(pick, boxes);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "exact/fixed.h"
@@ -56,15 +57,18 @@ int last_level_of(const DecodedTexture& decoded, const Sampler& sampler, const T
 
 // All boxes that may hold the colour, without duplicates; one for an exact sample. If two levels
 // yield more than 1,000 pairs of colours, one box stands for the second level's.
-std::vector<Texel> sample(const DecodedTexture& decoded, const Texture& texture,
-                          const Sampler& sampler, const TextureChoice& choice,
-                          const TextureSample& at, const SampleLatitude& latitude = {});
+Texels sample(const DecodedTexture& decoded, const Texture& texture, const Sampler& sampler,
+              const TextureChoice& choice, const TextureSample& at,
+              const SampleLatitude& latitude = {});
 
 // (1 - weight) a + weight b, for a weight of 0 to 1. Equal operands give exactly that value.
 Texel mixed(const Texel& a, const Texel& b, Interval weight);
 bool same_box(const Texel& a, const Texel& b);
 // The smallest box that holds all of `boxes`, at least one.
-Texel hull_of(const std::vector<Texel>& boxes);
+Texel hull_of(std::span<const Texel> boxes);
+inline Texel hull_of(const Texels& boxes) {
+  return hull_of(std::span(boxes.data(), boxes.size()));
+}
 
 // The texture stage: what the fragments of textured draws look up, under a policy.
 //

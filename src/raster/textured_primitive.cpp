@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <optional>
+#include <span>
 
 #include "raster/rasterizer.h"
 #include "raster/texture_level.h"
@@ -30,15 +32,20 @@ struct Level {
   Interval lambda_prime;
   Interval lambda;
   Interval accessed;
-  TexelBorders borders;                   // of the filter within levels
-  std::array<std::vector<int>, 2> sizes;  // of the levels that are looked up: widths, heights
+  TexelBorders borders;  // of the filter within levels
+  // Of the levels that are looked up: widths, heights.
+  std::array<boost::container::small_vector<int, 2>, 2> sizes;
+
+  std::span<const int> sizes_along(std::size_t axis) const {
+    return {sizes[axis].data(), sizes[axis].size()};
+  }
 };
 
 QueriedLevel queried_part(const Level& level) {
   return {level.accessed, level.lambda_prime};
 }
 
-Texel weighted(const std::vector<Texel>& colors, const std::vector<Probe>& probes) {
+Texel weighted(std::span<const Texel> colors, const Probes& probes) {
   const Texel& first = colors.front();
   if (std::ranges::all_of(colors, [&](const Texel& color) { return same_box(color, first); }))
     return first;
@@ -199,13 +206,16 @@ Level TexturedPrimitive::Lookups::finished(Level level) const {
   const LevelRules rules{choice_.crossover, choice_.nearest_level, choice_.level_weight, false, 0};
   level.lambda = clamped(level.lambda_prime, use_.sampler);
   level.accessed = accessed_level(level.lambda, use_.sampler, last_, rules);
-  const std::vector<LevelPick> picks = pick_levels(level.lambda, use_.sampler, last_, rules);
+  const LevelPicks picks = pick_levels(level.lambda, use_.sampler, last_, rules);
   level.borders = texel_borders(picks.at(0).filter, choice_.texel_grid, texture_.format);
-  for (const LevelPick& pick : picks)
-    for (const int number : {pick.level, pick.next}) {
-      level.sizes[0].push_back(image(number).width);
-      level.sizes[1].push_back(image(number).height);
-    }
+  const auto add_sizes = [&](int number) {
+    level.sizes[0].push_back(image(number).width);
+    level.sizes[1].push_back(image(number).height);
+  };
+  for (const LevelPick& pick : picks) {
+    add_sizes(pick.level);
+    if (pick.next != pick.level) add_sizes(pick.next);
+  }
   return level;
 }
 
@@ -256,7 +266,7 @@ std::array<Interval, 2> TexturedPrimitive::Lookups::coordinates_at(PixelPosition
 }
 
 Interval TexturedPrimitive::Lookups::place(std::size_t axis, const Place& at, const Level& level) {
-  return axes_[axis].place(at.sample, at.coordinates[axis], level.borders, level.sizes[axis]);
+  return axes_[axis].place(at.sample, at.coordinates[axis], level.borders, level.sizes_along(axis));
 }
 
 // A probe whose offset is unknown may lie anywhere.
@@ -265,8 +275,8 @@ TexturePoint TexturedPrimitive::Lookups::probe_point(const Place& at, const Leve
   if (level.ways.empty()) return {Interval::everything(), Interval::everything()};
   const std::array<Rational, 2>& way = level.ways[probe];
   const auto placed = [&](std::size_t axis) {
-    return axes_[axis].place(at.sample, at.coordinates[axis], level.borders, level.sizes[axis],
-                             way[axis]);
+    return axes_[axis].place(at.sample, at.coordinates[axis], level.borders,
+                             level.sizes_along(axis), way[axis]);
   };
   TexturePoint point;
   point.s = placed(0);

@@ -34,6 +34,8 @@ void carry_case(Io& io, T& one) {
 namespace {
 
 constexpr std::size_t kCaseWeight = 256;
+// What a case with textures costs, beside one of the same weight without.
+constexpr std::size_t kTexturedCost = 4;
 
 std::size_t weight_of(const Scene& scene) {
   const Target& target = scene.target;
@@ -164,7 +166,8 @@ std::vector<Case> CaseStore::all() const {
 }
 
 void CaseStore::push_back(Case one) {
-  Entry entry{one.id, weight_of(one.scene), {}};
+  const std::size_t weight = weight_of(one.scene);
+  Entry entry{one.id, weight, one.scene.textures.empty() ? weight : kTexturedCost * weight, {}};
   entry.place = shelves_->put(std::move(one));
   entries_.push_back(std::move(entry));
 }
@@ -178,7 +181,7 @@ void CaseStore::keep_sample(std::size_t index, std::size_t count) {
   std::erase_if(entries_, [&](const Entry&) { return at++ % count != index; });
 }
 
-// The lightest share takes the next stretch. There are several stretches to each, so that the last
+// The share that costs least takes the next stretch. There are several stretches to each, so that the last
 // ones make all even.
 void CaseStore::keep_share(std::size_t index, std::size_t count) {
   if (count == 1) return;
@@ -188,12 +191,12 @@ void CaseStore::keep_share(std::size_t index, std::size_t count) {
   for (const Entry& entry : entries_) whole += entry.weight;
   const SliceLimits limits{whole / stretches,
                            std::clamp<std::size_t>(entries_.size() / stretches, 1, kMostCases)};
-  std::vector<std::size_t> weights(count);
+  std::vector<std::size_t> costs(count);
   std::vector<Entry> kept;
   for (const CaseSlice& stretch : cut_cases(*this, limits)) {
-    const auto lightest = std::ranges::min_element(weights);
-    for (std::size_t i = stretch.begin; i < stretch.end; ++i) *lightest += entries_[i].weight;
-    if (lightest - weights.begin() != static_cast<std::ptrdiff_t>(index)) continue;
+    const auto least = std::ranges::min_element(costs);
+    for (std::size_t i = stretch.begin; i < stretch.end; ++i) *least += entries_[i].cost;
+    if (least - costs.begin() != static_cast<std::ptrdiff_t>(index)) continue;
     const auto begin = std::make_move_iterator(entries_.begin());
     kept.insert(kept.end(), begin + static_cast<std::ptrdiff_t>(stretch.begin),
                 begin + static_cast<std::ptrdiff_t>(stretch.end));

@@ -43,7 +43,7 @@ class CaseStore {
   void sort_by_id();
   // Keeps the cases at `index`, `index` + `count` and so on: an even sample.
   void keep_sample(std::size_t index, std::size_t count);
-  // Keeps one of `count` shares of about the same weight, which together have every case once. A
+  // Keeps one of `count` shares of about the same cost, which together have every case once. A
   // share is stretches of up to 64 neighbours, which repeat programs and states of the driver.
   void keep_share(std::size_t index, std::size_t count);
 
@@ -51,6 +51,7 @@ class CaseStore {
   struct Entry {
     std::string id;
     std::size_t weight = 0;
+    std::size_t cost = 0;  // in units of weight, to make shares even
     Shelf::Place place;
   };
   class Shelves;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -231,26 +233,67 @@ struct SingleChange {
   CoverageChoice choice;
 };
 
-// The alternatives of every rule that affects a primitive's coverage. They follow from its traits
-// and the policy's choices of coverage, and are found by names: the latest are kept.
-const std::vector<SingleChange>& single_changes(const CoverageTraits& traits,
-                                                const RuleChoices& chosen) {
-  struct Known {
-    CoverageTraits traits;
-    std::array<CoverageChoice, 3> chosen;  // all that a rule with a say in coverage is kept in
-    std::vector<SingleChange> changes;
-  };
+// What decides, under every choice, which pixels are covered by a primitive in front of the eye
+// that is not clipped, on a target of one sample a pixel.
+struct PlainShape {
+  std::array<HomogeneousPoint, 3> positions;
+  Fixed line_width;
+  Fixed point_size;
+  std::optional<Viewport> scissor;
+  FrontFace front_face;
+  CullMode cull;
+  int width;
+  int height;
+  Surface surface;
+  friend bool operator==(const PlainShape&, const PlainShape&) = default;
+};
+
+std::optional<PlainShape> plain_shape(const ScenePrimitive& primitive, const Target& target) {
+  if (target.samples > 1 || primitive.is_clipped || has_clip_positions(primitive)) return {};
+  const Draw& draw = *primitive.state;
+  return PlainShape{primitive.positions, draw.line_width, draw.point_size,
+                    draw.scissor,        draw.front_face, draw.cull,
+                    target.width,        target.height,   target.surface};
+}
+
+// Whether each of a list of changes draws a shape as exact does; unknown until it is asked.
+struct KnownShape {
+  PlainShape shape;
+  std::vector<std::optional<bool>> draw_so;
+};
+
+// The alternatives of every rule that affects a primitive's coverage, and what they draw of the
+// latest shapes: the cases of a sweep draw a primitive again in other states.
+struct SingleChangeList {
+  static constexpr std::size_t kMostShapes = 16;
+
+  CoverageTraits traits;
+  std::array<CoverageChoice, 3> chosen;  // all that a rule with a say in coverage is kept in
+  std::vector<SingleChange> changes;
+  std::deque<KnownShape> shapes;
+
+  KnownShape& known(const PlainShape& shape) {
+    const auto found = std::ranges::find(shapes, shape, &KnownShape::shape);
+    if (found != shapes.end()) return *found;
+    if (shapes.size() == kMostShapes) shapes.pop_front();
+    return shapes.emplace_back(shape, std::vector<std::optional<bool>>(changes.size()));
+  }
+};
+
+// They follow from its traits and the policy's choices of coverage, and are found by names: the
+// latest are kept.
+SingleChangeList& single_changes(const CoverageTraits& traits, const RuleChoices& chosen) {
   constexpr std::size_t kMostKnown = 64;
-  thread_local std::vector<Known> all_known;
+  thread_local std::vector<SingleChangeList> all_known;
   const std::array<CoverageChoice, 3> choices{chosen.points, chosen.lines, chosen.triangles};
-  for (const Known& known : all_known)
-    if (known.traits == traits && known.chosen == choices) return known.changes;
+  for (SingleChangeList& known : all_known)
+    if (known.traits == traits && known.chosen == choices) return known;
   if (all_known.size() >= kMostKnown) all_known.clear();
-  Known& known = all_known.emplace_back(Known{traits, choices, {}});
+  SingleChangeList& known = all_known.emplace_back(SingleChangeList{traits, choices, {}, {}});
   for (const Changes& rule : coverage_changes(traits, chosen))
     for (const Change& change : rule)
       known.changes.push_back({change.id, change.applied_to(chosen).of(traits.kind)});
-  return known.changes;
+  return known;
 }
 
 }  // namespace
@@ -260,11 +303,18 @@ const std::vector<SingleChange>& single_changes(const CoverageTraits& traits,
 void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
                   AlternativeSet& refuted) {
   AlternativeSet draw_so, draw_otherwise;
-  SingleChanges changes(question, coverage.drawn);
+  SingleChanges drawings(question, coverage.drawn);
   const CoverageTraits traits = coverage_traits(question.primitive, question.target);
-  for (const SingleChange& change : single_changes(traits, question.chosen)) {
-    if (refuted.contains(change.id) || draw_so.contains(change.id)) continue;
-    (changes.draw_so(change.choice) ? draw_so : draw_otherwise).add(change.id);
+  SingleChangeList& list = single_changes(traits, question.chosen);
+  const auto shape = plain_shape(question.primitive, question.target);
+  KnownShape* const known = shape ? &list.known(*shape) : nullptr;
+  for (std::size_t i = 0; i < list.changes.size(); ++i) {
+    const auto& [id, choice] = list.changes[i];
+    if (refuted.contains(id) || draw_so.contains(id)) continue;
+    std::optional<bool> unknown;
+    std::optional<bool>& draws_so = known != nullptr ? known->draw_so[i] : unknown;
+    if (!draws_so) draws_so = drawings.draw_so(choice);
+    (*draws_so ? draw_so : draw_otherwise).add(id);
   }
   draw_otherwise.for_each([&](AlternativeId id) {
     if (!draw_so.contains(id)) refuted.add(id);

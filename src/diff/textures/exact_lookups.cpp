@@ -116,12 +116,12 @@ TextureLookups::Gradients TextureLookups::permitted_gradients(const Fragment& fr
 int TextureLookups::last_accessible(const Fragment& fragment) const {
   const TextureUse& use = use_of(fragment);
   if (use.sampler.mipmap == MipFilter::none) return use.sampler.base_level;
-  return last_level_of(exact_.decoded(use.texture), use.sampler, texture_of(fragment));
+  return draw_of(fragment).last;
 }
 
 bool TextureLookups::has_levels_of_one_color(const Fragment& fragment) const {
   const TextureUse& use = use_of(fragment);
-  const std::vector<DecodedLevel>& levels = exact_.decoded(use.texture).levels;
+  const std::vector<DecodedLevel>& levels = draw_of(fragment).decoded->levels;
   const auto end = std::min(levels.size(), static_cast<std::size_t>(last_accessible(fragment)) + 1);
   for (auto level = static_cast<std::size_t>(use.sampler.base_level); level < end; ++level) {
     const std::vector<Texel>& texels = levels[level].texels;
@@ -133,7 +133,7 @@ bool TextureLookups::has_levels_of_one_color(const Fragment& fragment) const {
 
 Texel TextureLookups::accessible_texels(const Fragment& fragment) const {
   const TextureUse& use = use_of(fragment);
-  const DecodedTexture& decoded = exact_.decoded(use.texture);
+  const DecodedTexture& decoded = *draw_of(fragment).decoded;
   const int last = last_accessible(fragment);
   const auto end = decoded.levels.size();
   std::vector<Texel> texels;
@@ -148,7 +148,7 @@ Texel TextureLookups::accessible_texels(const Fragment& fragment) const {
 }
 
 // sRGB texels may be decoded before or after they are filtered (ruling 24).
-std::vector<Texel> TextureLookups::permitted_samples(const Fragment& fragment, Reach reach) {
+Texels TextureLookups::permitted_samples(const Fragment& fragment, Reach reach) {
   const TextureUse& use = use_of(fragment);
   const Texture& texture = texture_of(fragment);
   const TextureChoice lawful;
@@ -160,12 +160,11 @@ std::vector<Texel> TextureLookups::permitted_samples(const Fragment& fragment, R
   const SamplerPrecision precision = precision_within(reach);
   SampleLatitude latitude{precision.texel, is_clamped ? precision.level : 0, true,
                           SrgbDecoding::of_texels};
-  std::vector<Texel> colors =
-      sample(exact_.decoded(use.texture), texture, use.sampler, lawful, at, latitude);
+  Texels colors = sample(*draw_of(fragment).decoded, texture, use.sampler, lawful, at, latitude);
   if (texture.format != TextureFormat::srgb8) return colors;
   auto coded = srgb_.find(use.texture);
   if (coded == srgb_.end())
-    coded = srgb_.emplace(use.texture, srgb_coded(exact_.decoded(use.texture))).first;
+    coded = srgb_.emplace(use.texture, srgb_coded(*draw_of(fragment).decoded)).first;
   Sampler sampler = use.sampler;
   for (std::size_t c = 0; c < 3; ++c)
     sampler.border[c] = static_cast<float>(linear_to_srgb_number(double{sampler.border[c]}));

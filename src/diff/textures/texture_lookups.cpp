@@ -20,7 +20,7 @@ constexpr double kLogarithmOfZero = -16;
 // The error in decoding an sRGB texel that ruling 53 contests.
 constexpr double kContestedSrgb = 0.005;
 
-// The largest finite number of the texture.
+// The largest finite number of a texture.
 double magnitude_of(const DecodedTexture& texture) {
   double largest = 0;
   for (const DecodedLevel& level : texture.levels)
@@ -40,8 +40,18 @@ Interval within(Interval value, double margin) {
   return known({value.low - margin, value.high + margin});
 }
 
-Boxes anything(std::size_t components) {
-  return {std::vector<Interval>(components, Interval::everything())};
+Texel anything() {
+  Texel all;
+  all.fill(Interval::everything());
+  return all;
+}
+
+// The largest finite number that may enter the mean of a lookup.
+double largest_of(const Sampler& sampler, const DecodedTexture& decoded) {
+  double largest = magnitude_of(decoded);
+  for (const float component : sampler.border)
+    if (std::isfinite(component)) largest = std::max(largest, std::fabs(double{component}));
+  return largest;
 }
 
 LevelRules rules_of(const TextureChoice& choice) {
@@ -66,17 +76,43 @@ TextureLookups::TextureLookups(const ValueContext& context, const Rendering& exa
       rendered_(rendered),
       exact_(context, exact, rendered),
       primitives_(context.primitives.size()),
-      inexact_(context.scene.target.width) {
-  for (std::size_t i = 0; i < context.scene.textures.size(); ++i)
-    magnitudes_.push_back(magnitude_of(exact_.decoded(i)));
+      inexact_(context.scene.target.width),
+      places_(rendered.fragments.size()) {
+  for (const Draw& draw : context.scene.draws)
+    draws_.push_back(draw.texture ? of_draw(draw) : OfDraw());
 }
 
-const TextureUse& TextureLookups::use_of(const Fragment& fragment) const {
-  return *context_.primitive_of(fragment).state->texture;
+TextureLookups::OfDraw TextureLookups::of_draw(const Draw& draw) const {
+  const Sampler& sampler = draw.texture->sampler;
+  const Texture& texture = *context_.scene.textures[draw.texture->texture];
+  const DecodedTexture& decoded = exact_.decoded(draw.texture->texture);
+  const int means = holds_floats(texture.format) ? 0 : means_of(sampler, texture);
+  return {&*draw.texture,
+          &texture,
+          &decoded,
+          last_level_of(decoded, sampler, texture),
+          largest_of(sampler, decoded) * kLookupError * operations_of(sampler, texture),
+          means * 0.5 / 255};
 }
 
-const Texture& TextureLookups::texture_of(const Fragment& fragment) const {
-  return *context_.scene.textures[use_of(fragment).texture];
+TextureLookups::OfFragment& TextureLookups::kept_of(const Fragment& fragment) {
+  std::uint32_t& place = places_[static_cast<std::size_t>(&fragment - rendered_.fragments.data())];
+  if (place == 0 && free_.empty()) {
+    kept_.emplace_back();
+    place = static_cast<std::uint32_t>(kept_.size());
+  } else if (place == 0) {
+    place = free_.back();
+    free_.pop_back();
+  }
+  return kept_[place - 1];
+}
+
+void TextureLookups::forget(const Fragment& fragment) {
+  std::uint32_t& place = places_[static_cast<std::size_t>(&fragment - rendered_.fragments.data())];
+  if (place == 0) return;
+  kept_[place - 1].gradients.clear();
+  free_.push_back(place);
+  place = 0;
 }
 
 const FragmentDetail* TextureLookups::detail_of(const Fragment& fragment) const {
@@ -105,7 +141,7 @@ Interval TextureLookups::permitted_scale(const Footprint& footprint) const {
 
 TextureLookups::Gradients TextureLookups::gradients_of(const Fragment& fragment,
                                                        DerivativeMethod method) {
-  auto& known_gradients = fragments_[&fragment].gradients;
+  auto& known_gradients = kept_of(fragment).gradients;
   for (const auto& [of_method, gradients] : known_gradients)
     if (of_method == method) return gradients;
   const auto& color = context_.values_of(fragment).chosen.color;
@@ -145,13 +181,13 @@ TextureLookups::Gradients TextureLookups::lookup_gradients(const Fragment& fragm
 Boxes TextureLookups::level_boxes(const Fragment& fragment, Interval lambda_prime,
                                   const LevelRules& rules) const {
   const TextureUse& use = use_of(fragment);
-  const int last = last_level_of(exact_.decoded(use.texture), use.sampler, texture_of(fragment));
+  const int last = draw_of(fragment).last;
   const Interval accessed =
       accessed_level(clamped(lambda_prime, use.sampler), use.sampler, last, rules);
-  if (use.sampler.mipmap != MipFilter::nearest) return {{accessed, lambda_prime}};
+  if (use.sampler.mipmap != MipFilter::nearest) return {Box{accessed, lambda_prime}};
   Boxes boxes;
   for (double level = accessed.low; level <= accessed.high; ++level)
-    boxes.push_back({level, lambda_prime});
+    boxes.push_back(Box{level, lambda_prime});
   return boxes;
 }
 
@@ -196,14 +232,14 @@ Boxes TextureLookups::permitted_levels(const Fragment& fragment, Reach reach) {
   if (use.sampler.max_anisotropy > 1) {
     // An anisotropic filter may access any of these levels, and no other (ruling 23).
     const int last = last_accessible(fragment) - use.sampler.base_level;
-    return {{Interval(0, std::max(last, 0)), Interval::everything()}};
+    return {Box{Interval(0, std::max(last, 0)), Interval::everything()}};
   }
   LevelRules rules;
   rules.any_tie = true;
   const Interval band = permitted_lambda(fragment, reach);
   const Interval reported = reported_lambda(fragment).value_or(band);
   Boxes boxes = level_boxes(fragment, within(reported, precision_within(reach).level), rules);
-  for (std::vector<Interval>& box : boxes) box[1] = band;
+  for (Box& box : boxes) box[1] = band;
   return boxes;
 }
 
@@ -271,35 +307,16 @@ Interval TextureLookups::permitted_lookup_lambda(const Fragment& fragment, Reach
   return biased(logarithm_of(scale, Log2Method::exact));
 }
 
-// The largest finite number that may enter the mean of a lookup.
-double TextureLookups::largest_of(const TextureUse& use) const {
-  double largest = magnitudes_[use.texture];
-  for (const float component : use.sampler.border)
-    if (std::isfinite(component)) largest = std::max(largest, std::fabs(double{component}));
-  return largest;
-}
-
-bool TextureLookups::may_round(const Fragment& fragment) const {
-  const Texture& texture = texture_of(fragment);
-  return !holds_floats(texture.format) && means_of(use_of(fragment).sampler, texture) > 0;
-}
-
-// `of_srgb`: further error of red, green and blue of an sRGB texture.
-Boxes TextureLookups::widened(const Fragment& fragment, const std::vector<Texel>& colors,
-                              bool rounding, double of_srgb) const {
-  const TextureUse& use = use_of(fragment);
-  const Texture& texture = texture_of(fragment);
-  // Half a code for each mean.
-  const double codes =
-      rounding && may_round(fragment) ? means_of(use.sampler, texture) * 0.5 / 255 : 0;
-  const double margin =
-      largest_of(use) * kLookupError * operations_of(use.sampler, texture) + codes;
+Boxes TextureLookups::widened(const Fragment& fragment, const Texels& colors, bool rounding,
+                              double of_srgb) const {
+  const OfDraw& draw = draw_of(fragment);
+  const double margin = draw.margin + (rounding ? draw.codes : 0);
   Boxes boxes;
   for (const Texel& color : colors) {
-    boxes.emplace_back();
-    for (const Interval component : color) boxes.back().push_back(within(component, margin));
-    if (texture_of(fragment).format == TextureFormat::srgb8)
-      for (std::size_t c = 0; c < 3; ++c) boxes.back()[c] = within(boxes.back()[c], of_srgb);
+    Box& box = boxes.emplace_back();
+    for (const Interval component : color) box.push_back(within(component, margin));
+    if (draw.texture->format == TextureFormat::srgb8)
+      for (std::size_t c = 0; c < 3; ++c) box[c] = within(box[c], of_srgb);
   }
   return boxes;
 }
@@ -314,23 +331,22 @@ Texel TextureLookups::weighted_probes(const Fragment& fragment, const TextureCho
   for (const Probe& probe : row.probes) {
     const TexturePoint point{centre.s + Interval(probe.offset) * along[0],
                              centre.t + Interval(probe.offset) * along[1]};
-    const Texel color = hull_of(sample(exact_.decoded(use.texture), texture_of(fragment),
+    const Texel color = hull_of(sample(*draw_of(fragment).decoded, texture_of(fragment),
                                        use.sampler, choice, {point, lambda}));
     for (std::size_t c = 0; c < 4; ++c) sum[c] = sum[c] + probe.weight * color[c];
   }
   return sum;
 }
 
-std::vector<Texel> TextureLookups::colors_at_reported_level(const Fragment& fragment,
-                                                            const TextureChoice& choice) const {
+Texels TextureLookups::colors_at_reported_level(const Fragment& fragment,
+                                                const TextureChoice& choice) const {
   const TextureUse& use = use_of(fragment);
-  return sample(exact_.decoded(use.texture), texture_of(fragment), use.sampler, choice,
+  return sample(*draw_of(fragment).decoded, texture_of(fragment), use.sampler, choice,
                 {point_of(fragment, context_.values_of(fragment).chosen, kFloat32),
                  clamped(*reported_lambda(fragment), use.sampler)});
 }
 
-std::vector<Texel> TextureLookups::probed_colors(const Fragment& fragment,
-                                                 const TextureChoice& choice) {
+Texels TextureLookups::probed_colors(const Fragment& fragment, const TextureChoice& choice) {
   const TextureUse& use = use_of(fragment);
   const LookupKinship kin = kinship_of(fragment, false);
   ProbeRow row;
@@ -341,7 +357,7 @@ std::vector<Texel> TextureLookups::probed_colors(const Fragment& fragment,
                  choice.scale_factor);
   }
   if (row.probes.size() > 1) return {weighted_probes(fragment, choice, gradients, row)};
-  return sample(exact_.decoded(use.texture), texture_of(fragment), use.sampler, choice,
+  return sample(*draw_of(fragment).decoded, texture_of(fragment), use.sampler, choice,
                 {point_of(fragment, context_.values_of(fragment).chosen, kFloat32),
                  lookup_lambda(fragment, row.scale_factor, choice)});
 }
@@ -360,17 +376,15 @@ bool TextureLookups::has_unknown_chain(const Fragment& fragment) const {
   return texture_of(fragment).generated && !rendered_.mip_chains.contains(use_of(fragment).texture);
 }
 
-Boxes TextureLookups::colors(const Fragment& fragment, const TextureChoice& choice, bool rounding,
-                             bool as_reported) {
-  if (has_unknown_coordinates(fragment)) return anything(4);
-  return widened(
-      fragment,
-      as_reported ? colors_at_reported_level(fragment, choice) : probed_colors(fragment, choice),
-      rounding);
+Texels TextureLookups::colors(const Fragment& fragment, const TextureChoice& choice,
+                              bool as_reported) {
+  if (has_unknown_coordinates(fragment)) return {anything()};
+  return as_reported ? colors_at_reported_level(fragment, choice) : probed_colors(fragment, choice);
 }
 
 Boxes TextureLookups::permitted_colors(const Fragment& fragment, Reach reach) {
-  if (has_unknown_chain(fragment) || has_unknown_coordinates(fragment)) return anything(4);
+  if (has_unknown_chain(fragment) || has_unknown_coordinates(fragment))
+    return widened(fragment, {anything()}, true);
   const double of_srgb = reach == Reach::coarse_srgb ? kContestedSrgb : 0;
   if (use_of(fragment).sampler.max_anisotropy > 1)
     return widened(fragment, {accessible_texels(fragment)}, true, of_srgb);

@@ -8,7 +8,10 @@
 #pragma once
 
 #include <array>
+#include <boost/container/small_vector.hpp>
+#include <boost/container/static_vector.hpp>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -66,7 +69,8 @@ class ExactLookups {
 // Boxes in which all components of a lookup may lie: four components of a colour, two of a level of
 // detail, namely the level accessed (0 the base level) and lambda' before clamping, as in
 // textureQueryLod.
-using Boxes = std::vector<std::vector<Interval>>;
+using Box = boost::container::static_vector<Interval, 4>;
+using Boxes = boost::container::small_vector<Box, 2>;
 
 class TextureLookups {
  public:
@@ -78,11 +82,14 @@ class TextureLookups {
 
   // Results under a choice with every operation inexact.
   Boxes levels(const Fragment& fragment, const TextureChoice& choice);
-  // `rounding`: means may also be rounded to codes of 8 bits, if the format has them.
-  // `as_reported`: by the level of detail that the renderer reports; it must report one.
-  Boxes colors(const Fragment& fragment, const TextureChoice& choice, bool rounding,
-               bool as_reported);
-  bool may_round(const Fragment& fragment) const;
+  // Colours before the errors of the filter's operations. `as_reported`: by the level of detail
+  // that the renderer reports; it must report one.
+  Texels colors(const Fragment& fragment, const TextureChoice& choice, bool as_reported);
+  // With these errors. `rounding`: means may also be rounded to codes of 8 bits, if the format has
+  // them; `of_srgb`: further error of red, green and blue of an sRGB texture.
+  Boxes widened(const Fragment& fragment, const Texels& colors, bool rounding,
+                double of_srgb = 0) const;
+  bool may_round(const Fragment& fragment) const { return draw_of(fragment).codes > 0; }
   // True if a choice determines a level. It does not where the derivatives that it takes nearly
   // cancel: then the scale factor may be anything down to zero, and would explain every level.
   // Where they are exactly zero it explains the logarithm of 0, and no other.
@@ -100,10 +107,10 @@ class TextureLookups {
   bool has_levels_of_one_color(const Fragment& fragment) const;
 
   // Drops cached data of a fragment, kept in case that it is needed again.
-  void forget(const Fragment& fragment) { fragments_.erase(&fragment); }
+  void forget(const Fragment& fragment);
 
-  const TextureUse& use_of(const Fragment& fragment) const;
-  const Texture& texture_of(const Fragment& fragment) const;
+  const TextureUse& use_of(const Fragment& fragment) const { return *draw_of(fragment).use; }
+  const Texture& texture_of(const Fragment& fragment) const { return *draw_of(fragment).texture; }
   const FragmentDetail* detail_of(const Fragment& fragment) const;
   LookupKinship kinship_of(const Fragment& fragment, bool is_query) const;
   // True if the renderer reports the level of this very lookup.
@@ -115,11 +122,25 @@ class TextureLookups {
     IntervalPair dx;
     IntervalPair dy;
   };
+  // Computed once for the lookups of a draw.
+  struct OfDraw {
+    const TextureUse* use = nullptr;
+    const Texture* texture = nullptr;
+    const DecodedTexture* decoded = nullptr;
+    int last = 0;       // the last level used, as last_level_of
+    double margin = 0;  // the error of a filter's operations
+    double codes = 0;   // half a code for each mean that may be rounded to one
+  };
   // Computed once for a fragment.
   struct OfFragment {
-    std::vector<std::pair<DerivativeMethod, Gradients>> gradients;
+    boost::container::small_vector<std::pair<DerivativeMethod, Gradients>, 2> gradients;
   };
 
+  OfDraw of_draw(const Draw& draw) const;
+  const OfDraw& draw_of(const Fragment& fragment) const {
+    return draws_[static_cast<std::size_t>(context_.primitive_of(fragment).draw)];
+  }
+  OfFragment& kept_of(const Fragment& fragment);
   static SamplerPrecision precision_within(Reach reach);
   Gradients gradients_of(const Fragment& fragment, DerivativeMethod method);
   Gradients quad_gradients(const Fragment& fragment);
@@ -133,30 +154,28 @@ class TextureLookups {
   Interval lookup_lambda(const Fragment& fragment, Interval scale_factor,
                          const TextureChoice& choice) const;
   Interval permitted_lookup_lambda(const Fragment& fragment, Reach reach);
-  std::vector<Texel> permitted_samples(const Fragment& fragment, Reach reach);
+  Texels permitted_samples(const Fragment& fragment, Reach reach);
   int last_accessible(const Fragment& fragment) const;
   Texel accessible_texels(const Fragment& fragment) const;
   std::optional<Interval> reported_lambda(const Fragment& fragment) const;
   Boxes level_boxes(const Fragment& fragment, Interval lambda_prime, const LevelRules& rules) const;
-  std::vector<Texel> colors_at_reported_level(const Fragment& fragment,
-                                              const TextureChoice& choice) const;
-  std::vector<Texel> probed_colors(const Fragment& fragment, const TextureChoice& choice);
+  Texels colors_at_reported_level(const Fragment& fragment, const TextureChoice& choice) const;
+  Texels probed_colors(const Fragment& fragment, const TextureChoice& choice);
   Texel weighted_probes(const Fragment& fragment, const TextureChoice& choice,
                         const Gradients& gradients, const ProbeRow& row) const;
   bool has_unknown_coordinates(const Fragment& fragment) const;
   bool has_unknown_chain(const Fragment& fragment) const;
-  double largest_of(const TextureUse& use) const;
-  Boxes widened(const Fragment& fragment, const std::vector<Texel>& colors, bool rounding,
-                double of_srgb = 0) const;
 
   const ValueContext& context_;
   const Rendering& rendered_;
   ExactLookups exact_;
-  std::vector<double> magnitudes_;              // of each texture's numbers
+  std::vector<OfDraw> draws_;                   // those without a texture are left out
   std::map<std::size_t, DecodedTexture> srgb_;  // of sRGB textures, not decoded; made on demand
   std::vector<std::optional<PermittedDerivatives>> primitives_;  // of s and of t
   InexactCoordinates inexact_;
-  std::map<const Fragment*, OfFragment> fragments_;
+  std::vector<OfFragment> kept_;
+  std::vector<std::uint32_t> places_;  // by fragment: its place in kept_ from 1 on, or 0
+  std::vector<std::uint32_t> free_;    // places of fragments that are forgotten
 };
 
 // Compares texture lookups of fragments with exact and with what the specification permits: the

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -33,11 +34,13 @@ constexpr Subject kLevels{"level of detail", RuleId::texture_scale_factor, 19,
                           "level accessed and lambda'", true};
 constexpr Subject kColors{"texture color", RuleId::texture_filter, 24, "looked-up colour", false};
 
+using Numbers = boost::container::static_vector<double, 4>;
+
 // A lookup that a renderer reported.
 struct ReportedLookup {
   const Fragment* fragment;
-  std::vector<double> exact;
-  std::vector<double> rendered;
+  Numbers exact;
+  Numbers rendered;
 };
 
 bool is_same(double a, double b) {
@@ -51,8 +54,8 @@ bool range_has(Interval range, double number) {
   return rounded_to_float(range).contains(to_float(number));
 }
 
-bool hold(const Boxes& boxes, const std::vector<double>& numbers) {
-  return std::ranges::any_of(boxes, [&](const std::vector<Interval>& box) {
+bool hold(const Boxes& boxes, const Numbers& numbers) {
+  return std::ranges::any_of(boxes, [&](const Box& box) {
     for (std::size_t c = 0; c < box.size(); ++c)
       if (!range_has(box[c], numbers[c])) return false;
     return true;
@@ -61,8 +64,8 @@ bool hold(const Boxes& boxes, const std::vector<double>& numbers) {
 
 // Describes the smallest box around all others: "1 to 2, 0.5 to 0.75".
 std::string describe_range(const Boxes& boxes) {
-  std::vector<Interval> all = boxes.front();
-  for (const std::vector<Interval>& box : boxes)
+  Box all = boxes.front();
+  for (const Box& box : boxes)
     for (std::size_t c = 0; c < box.size(); ++c) all[c] = hull(all[c], box[c]);
   std::string text;
   for (const Interval range : all)
@@ -99,14 +102,12 @@ class LookupComparison {
     ReportedLookup lookup{&fragment, {exact.begin(), exact.end()}, rendered_of(fragment)};
     aggregator_.count_compared(lookup.exact.size());
     const bool is_correct = std::ranges::equal(lookup.exact, lookup.rendered, is_same);
-    const bool agrees = is_correct || hold(under(lookup, chosen_, {}), lookup.rendered);
-    const bool is_rounded = !agrees && may_round(lookup) &&
-                            hold(under(lookup, chosen_, {true, false}), lookup.rendered);
-    if (!agrees && !is_rounded) {
+    const Fit fit = is_correct ? Fit::whole : fit_of(lookup, chosen_, false);
+    if (fit == Fit::none) {
       others_.push_back(std::move(lookup));
     } else if (is_judged_ && !is_permitted(lookup)) {
       report_policy(lookup, is_correct, result);
-    } else if (is_rounded) {
+    } else if (fit == Fit::rounded) {
       rounded_.push_back(std::move(lookup));
     } else {
       if (!is_correct) aggregate(lookup);
@@ -145,24 +146,34 @@ class LookupComparison {
   };
 
   // The values that the renderer reports.
-  std::vector<double> rendered_of(const Fragment& fragment) const {
+  Numbers rendered_of(const Fragment& fragment) const {
     if (!subject_.is_query) return {fragment.color.begin(), fragment.color.end()};
     const auto& lookup = *lookups_.detail_of(fragment)->level_of_detail;
     return {lookup.begin(), lookup.end()};
   }
 
-  // All results that a lookup may have under a choice; below, all that are permitted.
-  Boxes under(const ReportedLookup& lookup, const TextureChoice& choice, Terms terms) const {
+  // Whether a lookup may have its result under a choice: as it is, or if means are rounded to
+  // codes.
+  enum class Fit { none, rounded, whole };
+  Fit fit_of(const ReportedLookup& lookup, const TextureChoice& choice, bool as_reported) const {
     const Fragment& fragment = *lookup.fragment;
-    return subject_.is_query ? lookups_.levels(fragment, choice)
-                             : lookups_.colors(fragment, choice, terms.rounding, terms.as_reported);
+    const auto result_if = [&](bool holds, Fit fit) { return holds ? fit : Fit::none; };
+    if (subject_.is_query)
+      return result_if(hold(lookups_.levels(fragment, choice), lookup.rendered), Fit::whole);
+    const Texels colors = lookups_.colors(fragment, choice, as_reported);
+    if (hold(lookups_.widened(fragment, colors, false), lookup.rendered)) return Fit::whole;
+    return result_if(lookups_.may_round(fragment) &&
+                         hold(lookups_.widened(fragment, colors, true), lookup.rendered),
+                     Fit::rounded);
+  }
+  bool fits(const ReportedLookup& lookup, const TextureChoice& choice, Terms terms) const {
+    const Fit fit = fit_of(lookup, choice, terms.as_reported);
+    return fit == Fit::whole || (fit == Fit::rounded && terms.rounding);
   }
   bool reports_level(const ReportedLookup& lookup) const {
     return !subject_.is_query && lookups_.reports_level(*lookup.fragment);
   }
-  bool may_round(const ReportedLookup& lookup) const {
-    return !subject_.is_query && lookups_.may_round(*lookup.fragment);
-  }
+  // All results that are permitted.
   Boxes at_most(const ReportedLookup& lookup, Reach reach = Reach::all) const {
     return subject_.is_query ? lookups_.permitted_levels(*lookup.fragment, reach)
                              : lookups_.permitted_colors(*lookup.fragment, reach);
@@ -240,7 +251,7 @@ class LookupComparison {
     const bool is_about_level = !terms.as_reported || subject_.is_query;
     if (is_about_level && !lookups_.is_definite(*lookup.fragment, choice, subject_.is_query))
       return false;
-    return hold(under(lookup, choice, terms), lookup.rendered);
+    return fits(lookup, choice, terms);
   }
 
   std::vector<std::optional<TextureWay>> ways_of(const std::vector<ReportedLookup>& lookups,
@@ -282,7 +293,7 @@ class LookupComparison {
     std::erase_if(others_, [&](const ReportedLookup& lookup) {
       const auto way = levels.find(lookup.fragment);
       if (way == levels.end() || !reports_level(lookup)) return false;
-      if (!hold(under(lookup, chosen_, {true, true}), lookup.rendered)) return false;
+      if (!fits(lookup, chosen_, {true, true})) return false;
       aggregate(lookup, way->second.open ? aggregator_of(way->second.cause) : aggregator_);
       return true;
     });
@@ -323,8 +334,8 @@ class LookupComparison {
   Disagreement disagreement(const ReportedLookup& lookup) const {
     const Fragment& f = *lookup.fragment;
     Disagreement d = value_disagreement({f.x, f.y}, f.primitive, subject_.rule, ruling_on(lookup));
-    d.exact = lookup.exact;
-    d.rendered = lookup.rendered;
+    d.exact.assign(lookup.exact.begin(), lookup.exact.end());
+    d.rendered.assign(lookup.rendered.begin(), lookup.rendered.end());
     d.explanation = fmt::format(
         "the {} of primitive {} is exactly ({:.9g}); the renderer has ({:.9g})", subject_.text,
         f.primitive, fmt::join(d.exact, ", "), fmt::join(d.rendered, ", "));

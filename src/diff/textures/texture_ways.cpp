@@ -145,6 +145,7 @@ class Search {
 
   const TextureWay* best_of(const std::vector<TextureWay>& tier,
                             const std::vector<std::size_t>& sample, Fit& best_fit) const {
+    const Fit whole{std::ssize(sample), std::ssize(agreeing_), true};
     const TextureWay* best = nullptr;
     for (const TextureWay& way : tier) {
       if (!explains(way, open_[first_])) continue;
@@ -152,6 +153,7 @@ class Search {
       if (best != nullptr && fit <= best_fit) continue;
       best = &way;
       best_fit = fit;
+      if (fit == whole) break;  // no later one fits better
     }
     return best;
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -237,15 +238,16 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
     if (f.has_color && draw.interpolation == Interpolation::flat) {
       compare_flat_color(context, f, result);
     } else if (f.has_color) {
-      std::array<ValueComponent, 4> components;
-      for (std::size_t c = 0; c < 4; ++c) components[c] = judge.color(c, f.color[c]);
+      std::array<ValueComponent, 4> of_color;
+      const std::span components = std::span(of_color).first(textured ? 2 : 4);
+      for (std::size_t c = 0; c < components.size(); ++c)
+        components[c] = judge.color(c, f.color[c]);
       is_correct = is_correct && std::ranges::all_of(components, &ValueComponent::is_correct);
       correct.color = textured                        ? &coordinates
                       : followed.explains(context, f) ? &elsewhere
                                                       : &colors;
-      Disagreement* d =
-          compare_components(std::span(components).first(textured ? 2 : 4), f, judge.place(),
-                             RuleId::attribute_smooth, *correct.color, result);
+      Disagreement* d = compare_components(components, f, judge.place(), RuleId::attribute_smooth,
+                                           *correct.color, result);
       if (d != nullptr) blame(*d, cause_of_color(context, f));
     }
     if (f.has_depth) {

@@ -13,6 +13,7 @@
 
 #include "diff/values/value_diff.h"
 #include "rules/coverage/line_algorithm.h"
+#include "rules/values/exact_interpolation.h"
 #include "rules/values/inexact_interpolation.h"
 
 namespace edgecase {
@@ -108,6 +109,10 @@ class ValueJudge {
     // Under a policy without latitude, a correct value is permitted, whatever its formula.
     if (result.is_correct() && (forgiving_ || !values_.differ)) return result;
     result.range = range_of(question.chosen);
+    if (is_one_rounding_off(exact, question, rendered)) {
+      result.permitted = Interval(to_float(rendered));
+      return result;
+    }
     // A value that is near enough without moving any vertex needs no search over their moves.
     result.permitted = as_reported(question, inexact_at(question.place).value(question.lawful));
     if (result.is_permitted()) return result;
@@ -133,14 +138,17 @@ class ValueJudge {
 
   ValueComponent color(std::size_t c, double rendered) const {
     ValueComponent result =
-        component(color_exact(values_.chosen, c, place_, pixel_),
+        component(exact_color(c),
                   {values_.chosen.color[c], values_.lawful.color[c], place_, corners_}, rendered);
     if (!result.is_permitted())
       result.permitted = rounded_to_float(with_means(result.permitted, primitive_, values_, c));
     return result;
   }
   ValueComponent depth(double rendered) const {
-    const Interval exact = depth_is_zero_ ? 0 : depth_exact(values_.chosen, depth_place_);
+    const Interval exact =
+        depth_is_zero_
+            ? 0
+            : clamped_depth(values_.chosen, exact_at(depth_place_).value(values_.chosen.depth));
     return component(
         exact, {values_.chosen.depth, values_.permitted_depth, depth_place_, depth_corners_, true},
         rendered);
@@ -157,6 +165,22 @@ class ValueJudge {
   }
 
  private:
+  // True for a value that is permitted because the last operation alone may err so far: whatever is
+  // permitted holds a part of 10^-5 of the exact value on either side.
+  bool is_one_rounding_off(Interval exact, const JudgedValue& question, double rendered) const {
+    constexpr double kPart = 0.9 * kInexact.relative;
+    const bool has_last_operation = !values_.differ && question.lawful.kind != PrimitiveKind::point;
+    if (!has_last_operation || (question.is_depth && values_.lawful.clamps_depth)) return false;
+    const double at_most = std::min(std::fabs(exact.low), std::fabs(exact.high)) * kPart;
+    return exact.high - exact.low <= at_most * 0.01 &&
+           std::fabs(to_float(rendered) - middle(exact)) <= at_most;
+  }
+
+  Interval exact_color(std::size_t c) const {
+    if (values_.chosen.w_of_centre) return color_exact(values_.chosen, c, place_, pixel_);
+    return exact_at(place_).value(values_.chosen.color[c]);
+  }
+
   // The float32 numbers that a fragment may report for an interpolated value.
   Interval as_reported(const JudgedValue& question, Interval interpolated) const {
     return rounded_to_float(question.is_depth ? reported_depth(interpolated) : interpolated);
@@ -193,7 +217,11 @@ class ValueJudge {
     return known_->second;
   }
 
-  // The same for lawful attributes without moved vertices.
+  // The same for exact values, and for lawful attributes without moved vertices.
+  const ExactPlace& exact_at(Point place) const {
+    if (!exact_ || exact_->first != place) exact_.emplace(place, ExactPlace(place));
+    return exact_->second;
+  }
   const InexactPlace& inexact_at(Point place) const {
     if (!unmoved_ || unmoved_->first != place) unmoved_.emplace(place, InexactPlace(place));
     return unmoved_->second;
@@ -211,6 +239,7 @@ class ValueJudge {
   std::vector<PermittedPlace> corners_;
   std::vector<PermittedPlace> depth_corners_;
   mutable std::optional<std::pair<Point, PermittedPlace>> known_;
+  mutable std::optional<std::pair<Point, ExactPlace>> exact_;
   mutable std::optional<std::pair<Point, InexactPlace>> unmoved_;
   bool forgiving_;
 };

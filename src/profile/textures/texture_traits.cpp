@@ -38,7 +38,7 @@ class CandidateScene {
   CandidateScene& operator=(const CandidateScene&) = delete;
 
   // All colours of the renderer's lookup, at the exact level of detail.
-  std::vector<Texel> colors(const FragmentLookup& lookup) {
+  Texels colors(const FragmentLookup& lookup) {
     const auto number = static_cast<std::size_t>(lookup.primitive);
     const ScenePrimitive& primitive = primitives_[number];
     std::optional<TexturedPrimitive>& textured = textured_[number];
@@ -83,8 +83,7 @@ double tolerance_of(RuleId rule, std::span<const LookupScene> scenes) {
   return rule == RuleId::texture_anisotropy ? 0x1p-8 : 0x1p-14;
 }
 
-bool yields(const std::vector<Texel>& colors, const std::array<double, 4>& rendered,
-            double tolerance) {
+bool yields(const Texels& colors, const std::array<double, 4>& rendered, double tolerance) {
   return std::ranges::any_of(colors, [&](const Texel& color) {
     for (std::size_t c = 0; c < rendered.size(); ++c)
       if (!(rendered[c] >= color[c].low - tolerance && rendered[c] <= color[c].high + tolerance))

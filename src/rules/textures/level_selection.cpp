@@ -95,23 +95,23 @@ Interval weights_between(Interval lambda, double level, const LevelRules& rules)
           std::min(Up::sum(weights.high, rules.slack), 1.0)};
 }
 
-std::vector<LevelPick> nearest_picks(Interval lambda, const Sampler& sampler, int last,
-                                     const LevelRules& rules) {
+LevelPicks nearest_picks(Interval lambda, const Sampler& sampler, int last,
+                         const LevelRules& rules) {
   const int most = last - sampler.base_level;
   const Interval levels = nearest_levels(lambda, most, rules);
-  std::vector<LevelPick> picks;
+  LevelPicks picks;
   for (int d = static_cast<int>(levels.low); d <= static_cast<int>(levels.high); ++d)
     picks.push_back({sampler.minify, sampler.base_level + d, sampler.base_level + d, 0, false});
   return picks;
 }
 
-std::vector<LevelPick> linear_picks(Interval lambda, const Sampler& sampler, int last,
-                                    const LevelRules& rules) {
+LevelPicks linear_picks(Interval lambda, const Sampler& sampler, int last,
+                        const LevelRules& rules) {
   const int most = last - sampler.base_level;
   const auto whole = [&](double end) {
     return static_cast<int>(std::min<double>(std::floor(end), most));
   };
-  std::vector<LevelPick> picks;
+  LevelPicks picks;
   for (int d = whole(lambda.low); d <= whole(lambda.high); ++d) {
     const int level = sampler.base_level + d;
     if (d == most)
@@ -123,8 +123,8 @@ std::vector<LevelPick> linear_picks(Interval lambda, const Sampler& sampler, int
 }
 
 // For a lambda of 0 or more.
-std::vector<LevelPick> minified_picks(Interval lambda, const Sampler& sampler, int last,
-                                      const LevelRules& rules) {
+LevelPicks minified_picks(Interval lambda, const Sampler& sampler, int last,
+                          const LevelRules& rules) {
   switch (sampler.mipmap) {
     case MipFilter::none:
       break;
@@ -155,11 +155,10 @@ int last_level(const Sampler& sampler, const Texture& texture) {
   return std::max(std::min(end_of_chain, sampler.max_level), sampler.base_level);
 }
 
-std::vector<LevelPick> pick_levels(Interval lambda, const Sampler& sampler, int last,
-                                   const LevelRules& rules) {
+LevelPicks pick_levels(Interval lambda, const Sampler& sampler, int last, const LevelRules& rules) {
   lambda = known(lambda);
   const double crossover = crossover_of(sampler, rules.crossover);
-  std::vector<LevelPick> picks;
+  LevelPicks picks;
   if (lambda.low <= crossover)
     picks.push_back({sampler.magnify, sampler.base_level, sampler.base_level, 0, true});
   const double first_minified = rules.any_tie ? crossover : next_above(crossover);

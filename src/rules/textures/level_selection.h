@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -101,6 +102,7 @@ struct LevelPick {
   Interval weight;  // of the second, 0 to 1
   bool magnified;
 };
+using LevelPicks = boost::container::small_vector<LevelPick, 2>;
 
 struct LevelRules {
   Crossover crossover = Crossover::zero;
@@ -118,8 +120,7 @@ int last_level(const Sampler& sampler, const Texture& texture);
 // Every pick that a lambda of the interval yields, from its low end to its high end: one for an
 // exact lambda, unless any_tie finds two. Infinite ends are levels far away; an end that is NaN is
 // the infinite one on its side.
-std::vector<LevelPick> pick_levels(Interval lambda, const Sampler& sampler, int last,
-                                   const LevelRules& rules);
+LevelPicks pick_levels(Interval lambda, const Sampler& sampler, int last, const LevelRules& rules);
 
 // The level accessed as textureQueryLod reports it (GLSL 4.60, 8.9.1), 0 the base level: 0 without
 // a filter between levels; for nearest, the level's number; for linear, lambda within 0 to q with
@@ -167,10 +168,13 @@ struct Probe {
   Interval weight;
 };
 
+using Probes = boost::container::small_vector<Probe, 1>;
+
 struct ProbeRow {
-  bool along_x = false;       // the longer vector is that along x; arbitrary for one probe
-  Interval scale_factor;      // texels per pixel; its logarithm is lambda_base
-  std::vector<Probe> probes;  // from -1/2 on; without anisotropy one at 0, of weight 1
+  bool along_x = false;   // the longer vector is that along x; arbitrary for one probe
+  Interval scale_factor;  // texels per pixel; its logarithm is lambda_base
+  Probes
+      probes;  // from -1/2 on; without anisotropy one at 0, of weight 1
 };
 
 // If the lengths are known only as intervals, their middles decide which is longer and how many

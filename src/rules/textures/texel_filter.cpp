@@ -2,6 +2,7 @@
 #include "rules/textures/texel_filter.h"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -102,7 +103,7 @@ struct Cell {
   double most;
   friend auto operator<=>(const Cell&, const Cell&) = default;
 };
-using Cells = std::vector<Cell>;
+using Cells = boost::container::small_vector<Cell, 4>;
 
 // A texel by itself.
 Cell lone_cell(int texel) {
@@ -113,53 +114,51 @@ int texel_at(std::int64_t texel, const Axis& axis) {
   return wrapped(texel, axis.size, axis.wrap, WrapChoice::as_set).value_or(kBorder);
 }
 
-Cells nearest_cells(Interval u, const Axis& axis) {
-  Cells cells;
+void add_nearest(Interval u, const Axis& axis, Cells& cells) {
   const auto last = static_cast<std::int64_t>(std::floor(u.high));
   for (auto texel = static_cast<std::int64_t>(std::floor(u.low)); texel <= last; ++texel)
     cells.push_back(lone_cell(texel_at(texel, axis)));
-  return cells;
 }
 
 // The last cell is the one that ends at the high end, not the one that begins there.
-Cells linear_cells(Interval u, const Axis& axis) {
+void add_linear(Interval u, const Axis& axis, Cells& cells) {
   const Interval v{Down::sum(u.low, -0.5), Up::sum(u.high, -0.5)};
   const auto first = static_cast<std::int64_t>(std::floor(v.low));
   const auto last = std::max(first, static_cast<std::int64_t>(std::ceil(v.high)) - 1);
-  Cells cells;
   for (std::int64_t texel = first; texel <= last; ++texel) {
     const auto begin = static_cast<double>(texel);
     cells.push_back({texel_at(texel, axis), texel_at(texel + 1, axis),
                      texel == first ? Down::sum(v.low, -begin) : 0,
                      texel == last ? Up::sum(v.high, -begin) : 1});
   }
-  return cells;
 }
 
 // The colours of one axis' cells, and whether they belong to one point, except for rounding.
 struct AxisCells {
   Cells cells;
-  bool is_narrow;
+  bool is_narrow = true;
 };
 
 AxisCells cells_of(Interval s, const Axis& axis, Filter filter) {
   constexpr double kNarrow = 0x1p-20;
   const bool has_grid = axis.grid != TexelGrid::none;
   Interval u;
-  Cells cells;
+  AxisCells result;
+  Cells& cells = result.cells;
   switch (filter) {
     case Filter::nearest:
       u = in_texels(s, axis, true);
-      cells = nearest_cells(u, axis);
+      add_nearest(u, axis, cells);
       break;
     case Filter::linear:
       u = in_texels(s, axis, has_grid);
-      cells = linear_cells(u, axis);
+      add_linear(u, axis, cells);
       break;
   }
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  return {std::move(cells), u.high - u.low < kNarrow};
+  result.is_narrow = u.high - u.low < kNarrow;
+  return result;
 }
 
 // value * share, for a share above 0: of values that are not negative, two of the four products are
@@ -171,18 +170,16 @@ Interval part_of(Interval value, Interval share) {
 
 // The mean of two colours, `weight` that of b. It always lies between them: the mean of equal
 // numbers is that number.
-Interval mean(Interval a, Interval b, double weight) {
+Texel mean(const Texel& a, const Texel& b, double weight) {
   if (weight == 0) return a;
   if (weight == 1) return b;
   const Interval rest{Down::sum(1, -weight), Up::sum(1, -weight)};
-  const Interval sum = part_of(a, rest) + part_of(b, weight);
-  const Interval between = hull(a, b);
-  return {std::max(sum.low, between.low), std::min(sum.high, between.high)};
-}
-
-Texel mean(const Texel& a, const Texel& b, double weight) {
   Texel result;
-  for (std::size_t k = 0; k < result.size(); ++k) result[k] = mean(a[k], b[k], weight);
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const Interval sum = part_of(a[k], rest) + part_of(b[k], weight);
+    const Interval between = hull(a[k], b[k]);
+    result[k] = {std::max(sum.low, between.low), std::min(sum.high, between.high)};
+  }
   return result;
 }
 
@@ -224,7 +221,8 @@ Ends ends_of(const Texel& box) {
           box[2].low, box[2].high, box[3].low, box[3].high};
 }
 
-void drop_equal(std::vector<Texel>& boxes) {
+void drop_equal(Texels& boxes) {
+  if (boxes.size() < 2) return;
   std::sort(boxes.begin(), boxes.end(),
             [](const Texel& a, const Texel& b) { return ends_of(a) < ends_of(b); });
   const auto equal = [](const Texel& a, const Texel& b) { return ends_of(a) == ends_of(b); };
@@ -241,9 +239,8 @@ std::size_t cells_per_box(std::size_t columns, std::size_t rows) {
   return cells;
 }
 
-std::vector<Texel> boxes_of(const Image& image, const Cells& s, const Cells& t,
-                            std::size_t per_box) {
-  std::vector<Texel> boxes;
+Texels boxes_of(const Image& image, const Cells& s, const Cells& t, std::size_t per_box) {
+  Texels boxes;
   for (std::size_t j0 = 0; j0 < t.size(); j0 += per_box)
     for (std::size_t i0 = 0; i0 < s.size(); i0 += per_box) {
       Texel box;
@@ -262,9 +259,8 @@ Interval on_grid(Interval coordinate, TexelGrid grid) {
   return {on_grid(coordinate.low, grid), on_grid(coordinate.high, grid)};
 }
 
-std::vector<Texel> filter_level(const DecodedLevel& level, int dimensions, TextureFormat format,
-                                Filter filter, const TexturePoint& point,
-                                const TexelLookup& lookup) {
+Texels filter_level(const DecodedLevel& level, int dimensions, TextureFormat format, Filter filter,
+                    const TexturePoint& point, const TexelLookup& lookup) {
   const TexelGrid grid = effective(lookup.grid, filter, format);
   const auto axis = [&](std::size_t k, int size) {
     return Axis{size, effective(lookup.wrap[k], lookup.choice), grid, lookup.slack};
@@ -272,12 +268,17 @@ std::vector<Texel> filter_level(const DecodedLevel& level, int dimensions, Textu
   const AxisCells s = cells_of(point.s, axis(0, level.width), filter);
   const AxisCells t = dimensions == 1 ? AxisCells{{lone_cell(0)}, true}
                                       : cells_of(point.t, axis(1, level.height), filter);
-  const Image image{level, decode_border(lookup.border, format)};
+  const auto meets_border = [&](std::size_t k) {
+    return effective(lookup.wrap[k], lookup.choice) == Wrap::clamp_to_border;
+  };
+  Image image{level, {}};
+  if (meets_border(0) || (dimensions == 2 && meets_border(1)))
+    image.border = decode_border(lookup.border, format);
   // At a texel's centre, a rounded coordinate touches two cells whose colours are equal there.
   const bool is_one = filter == Filter::linear && s.is_narrow && t.is_narrow;
   const std::size_t per_box = is_one ? std::max(s.cells.size(), t.cells.size())
                                      : cells_per_box(s.cells.size(), t.cells.size());
-  std::vector<Texel> boxes = boxes_of(image, s.cells, t.cells, per_box);
+  Texels boxes = boxes_of(image, s.cells, t.cells, per_box);
   drop_equal(boxes);
   return boxes;
 }

@@ -77,9 +77,8 @@ constexpr std::size_t kMostBoxes = 4096;
 // equal, at least one and at most kMostBoxes. One, if the coordinates are exact, or under a linear
 // filter exact except for rounding, less than 2^-20 texels wide. The work is bounded by the number
 // of texels, however wide the coordinates.
-std::vector<Texel> filter_level(const DecodedLevel& level, int dimensions, TextureFormat format,
-                                Filter filter, const TexturePoint& point,
-                                const TexelLookup& lookup);
+Texels filter_level(const DecodedLevel& level, int dimensions, TextureFormat format, Filter filter,
+                    const TexturePoint& point, const TexelLookup& lookup);
 
 // Precision of texture samplers. OpenGL states none for the logarithm of the scale factor, for the
 // weight of the second level and for positions within a texel, which samplers keep in fixed point.

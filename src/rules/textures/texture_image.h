@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -45,6 +46,7 @@ std::optional<int> wrapped(std::int64_t texel, int size, Wrap wrap, WrapChoice c
 
 // Red, green, blue and alpha; linear.
 using Texel = std::array<Interval, 4>;
+using Texels = boost::container::small_vector<Texel, 2>;  // what a lookup may yield
 
 struct DecodedLevel {
   int width;
