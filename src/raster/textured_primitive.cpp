@@ -3,6 +3,7 @@
 #include <boost/container/small_vector.hpp>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "raster/rasterizer.h"
 #include "raster/texture_level.h"
@@ -29,6 +30,7 @@ struct Level {
   ProbeRow row;  // without probes if the shader gives the level itself
   // Offsets of the probes from the centre, in s and t; empty without derivatives or with one probe
   std::vector<std::array<Rational, 2>> ways;
+  Interval logarithm;  // of the row's scale factor
   Interval lambda_prime;
   Interval lambda;
   Interval accessed;
@@ -156,10 +158,9 @@ std::optional<RationalFootprint> TexturedPrimitive::Lookups::derivatives_at(cons
 // Uses intervals first, and quotients if these leave a question open.
 Level TexturedPrimitive::Lookups::computed_level(PixelPosition pixel, const Lookup& lookup) {
   const QuadPixel at = quad_of(pixel, values_, target_);
-  const Footprint narrow = footprint_at(at);
-  const bool is_enough = !is_anisotropic(use_.sampler, choice_) &&
-                         is_narrow(scale_factor(narrow, choice_.scale_factor));
-  const Level level = level_of(narrow, lookup);
+  const Level level = level_of(footprint_at(at), lookup);
+  const bool is_enough =
+      !is_anisotropic(use_.sampler, choice_) && is_narrow(level.row.scale_factor);
   if (is_enough && !is_open(level)) return level;
   const std::optional<RationalFootprint> exact = derivatives_at(at);
   return exact ? level_of(*exact, lookup) : level;
@@ -170,13 +171,14 @@ Level TexturedPrimitive::Lookups::level_of(const Footprint& footprint, const Loo
   level.footprint = footprint;
   level.row =
       probes(footprint, use_.sampler.max_anisotropy, choice_.anisotropy, choice_.scale_factor);
-  level.lambda_prime = biased(log2_of(level.row.scale_factor, choice_.log2), lookup);
-  return finished(level);
+  level.logarithm = log2_of(level.row.scale_factor, choice_.log2);
+  level.lambda_prime = biased(level.logarithm, lookup);
+  return finished(std::move(level));
 }
 
 // Whether an interval touches a border between two answers, before or after the bias is added.
 bool TexturedPrimitive::Lookups::is_open(const Level& level) const {
-  return is_level_open(log2_of(level.row.scale_factor, choice_.log2), LevelWeight::exact) ||
+  return is_level_open(level.logarithm, LevelWeight::exact) ||
          is_level_open(level.lambda_prime, choice_.level_weight);
 }
 
@@ -189,13 +191,13 @@ Level TexturedPrimitive::Lookups::level_of(const RationalFootprint& derivatives,
   level.footprint = intervals_of(in_base);
   level.row = exact_probes(in_base, use_.sampler, choice_);
   const Rational squared = squared_scale_factor(in_base, level.row, use_.sampler, choice_);
-  const Interval logarithm = decided_level(log2_of(level.row.scale_factor, choice_.log2), squared,
-                                           0, choice_.log2, LevelWeight::exact);
-  level.lambda_prime = decided_level(biased(logarithm, lookup), squared, biased(0, lookup),
+  level.logarithm = decided_level(log2_of(level.row.scale_factor, choice_.log2), squared, 0,
+                                  choice_.log2, LevelWeight::exact);
+  level.lambda_prime = decided_level(biased(level.logarithm, lookup), squared, biased(0, lookup),
                                      choice_.log2, choice_.level_weight);
   if (is_anisotropic(use_.sampler, choice_))
     level.ways = ways_to(level.row, derivatives, choice_.anisotropy);
-  return finished(level);
+  return finished(std::move(level));
 }
 
 Interval TexturedPrimitive::Lookups::biased(Interval lambda_base, const Lookup& lookup) const {

@@ -40,6 +40,7 @@ int open_nameless_file() {
 
 struct FreeContext {
   void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
+  void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
 };
 
 }  // namespace
@@ -105,8 +106,10 @@ std::string Shelf::at(const Place& place) const {
       read += static_cast<std::size_t>(count);
     }
   }
+  thread_local const std::unique_ptr<ZSTD_DCtx, FreeContext> unpacker(ZSTD_createDCtx());
   std::string bytes(place.unpacked, '\0');
-  if (ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size()) != bytes.size())
+  if (ZSTD_decompressDCtx(unpacker.get(), bytes.data(), bytes.size(), packed.data(),
+                          packed.size()) != bytes.size())
     throw std::runtime_error("results that were put aside are damaged");
   return bytes;
 }

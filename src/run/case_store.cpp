@@ -181,8 +181,8 @@ void CaseStore::keep_sample(std::size_t index, std::size_t count) {
   std::erase_if(entries_, [&](const Entry&) { return at++ % count != index; });
 }
 
-// The share that costs least takes the next stretch. There are several stretches to each, so that the last
-// ones make all even.
+// The share that costs least takes the next stretch. There are several stretches to each, so that
+// the last ones make all even.
 void CaseStore::keep_share(std::size_t index, std::size_t count) {
   if (count == 1) return;
   constexpr std::size_t kMostCases = 64;

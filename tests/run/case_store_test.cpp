@@ -164,6 +164,26 @@ TEST(CaseStore, SharesHaveEachCaseOnceAndWeighTheSame) {
     }
 }
 
+// The first half has textures: each of its cases costs as much as four of the others.
+TEST(CaseStore, SharesCostTheSame) {
+  std::vector<Case> list;
+  for (int i = 0; i < 2000; ++i) {
+    list.push_back(case_of(fmt::format("case-{:04}", i)));
+    if (i < 1000) list.back().scene.textures = {std::make_shared<Texture>()};
+  }
+  const CaseStore whole(list);
+  for (const std::size_t count : {2U, 3U, 7U})
+    for (std::size_t index = 0; index < count; ++index) {
+      CaseStore share = whole;
+      share.keep_share(index, count);
+      const std::vector<std::string> ids = ids_of(share);
+      const auto textured =
+          std::ranges::count_if(ids, [](const auto& id) { return id < "case-1"; });
+      const std::ptrdiff_t cost = std::ssize(ids) + 3 * textured;
+      EXPECT_NEAR(static_cast<double>(cost), 5000.0 / static_cast<double>(count), 64 * 4);
+    }
+}
+
 TEST(CaseStore, SharesAreStretchesOfNeighbours) {
   CaseStore share(uneven_cases(2000));
   share.keep_share(1, 2);

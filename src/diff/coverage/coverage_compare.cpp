@@ -20,10 +20,6 @@
 namespace edgecase {
 namespace {
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 class CoverageComparison {
  public:
   CoverageComparison(const CoverageContext& context, Result& result)
@@ -48,6 +44,10 @@ class CoverageComparison {
   // For each primitive, the others with which it breaks ruling 5.
   using Partners = std::map<int, std::set<int>>;
 
+  // True if the renderer draws as the specification's own rule does, which leaves no hole.
+  bool draws_by_fill_rule() const {
+    return result_.evidence.empty() && context_.choices.triangles == standard_.triangles;
+  }
   const Scene& scene() const { return context_.scene; }
   const Target& target() const { return context_.scene.target; }
   const PrimitiveCoverage& coverage_of(const ScenePrimitive& primitive) const {
@@ -197,11 +197,10 @@ class CoverageComparison {
     if (own == coverage.exact) return {};
     auto found = differences({own, coverage.drawn});
     std::erase_if(found, [&](const CoverageDifference& difference) {
-      return std::any_of(result_.disagreements.begin(), result_.disagreements.end(),
-                         [&](const Disagreement& d) {
-                           return d.primitive == primitive.index && d.x == difference.pixel.x &&
-                                  d.y == difference.pixel.y && d.sample == difference.sample;
-                         });
+      return std::ranges::any_of(result_.disagreements, [&](const Disagreement& d) {
+        return d.primitive == primitive.index && d.x == difference.pixel.x &&
+               d.y == difference.pixel.y && d.sample == difference.sample;
+      });
     });
     return found;
   }
@@ -262,8 +261,9 @@ class CoverageComparison {
                   fmt::format("Ruling {}, for the segment as given: {}.", ruling, clause));
       return;
     }
-    const bool excused = context_.latitude == Latitude::opengl &&
-                         contains(illegal_snaps, name_of(context_.choices.lines.snap));
+    const bool excused =
+        context_.latitude == Latitude::opengl &&
+        std::ranges::count(illegal_snaps, name_of(context_.choices.lines.snap)) > 0;
     if (!excused) return;
     const std::string reason = clause.empty() ? "not as the policy moves the segment" : clause;
     for (const CoverageDifference& difference : excused_by_policy(line))
@@ -340,6 +340,7 @@ class CoverageComparison {
   // A hole or a double hit on a shared edge turns the disagreements behind it into violations.
   Partners judge_shared_edges() {
     Partners partners;
+    if (draws_by_fill_rule()) return partners;
     for (const SharedEdgeFault& fault : shared_edge_faults(context_.primitives, context_.coverage,
                                                            scene(), context_.bits, lawful_)) {
       partners[fault.first].insert(fault.second);

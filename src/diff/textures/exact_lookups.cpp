@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "diff/textures/texture_lookups.h"
@@ -80,6 +83,36 @@ LookedUp ExactLookups::look_up(const Fragment& fragment) {
     std::ranges::transform(primitive_of(fragment).look_up(pixel).color, result.color.begin(),
                            middle);
   return result;
+}
+
+// Boxes.
+
+namespace {
+
+bool range_has(Interval range, double number) {
+  if (std::isnan(range.low) || std::isnan(range.high)) return true;
+  if (std::isnan(number)) return std::isinf(range.low) && std::isinf(range.high);
+  return rounded_to_float(range).contains(to_float(number));
+}
+
+}  // namespace
+
+bool hold(const Boxes& boxes, const LookupNumbers& numbers) {
+  return std::ranges::any_of(boxes, [&](const Box& box) {
+    for (std::size_t c = 0; c < box.size(); ++c)
+      if (!range_has(box[c], numbers[c])) return false;
+    return true;
+  });
+}
+
+std::string describe_range(const Boxes& boxes) {
+  Box all = boxes.front();
+  for (const Box& box : boxes)
+    for (std::size_t c = 0; c < box.size(); ++c) all[c] = hull(all[c], box[c]);
+  std::string text;
+  for (const Interval range : all)
+    text += fmt::format("{}{:.9g} to {:.9g}", text.empty() ? "" : ", ", range.low, range.high);
+  return text;
 }
 
 // The permitted derivatives of texture coordinates (ruling 16).

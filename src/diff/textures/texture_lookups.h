@@ -12,10 +12,12 @@
 #include <boost/container/static_vector.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -71,6 +73,13 @@ class ExactLookups {
 // textureQueryLod.
 using Box = boost::container::static_vector<Interval, 4>;
 using Boxes = boost::container::small_vector<Box, 2>;
+// What a renderer reports of a lookup: as many numbers as a box has intervals.
+using LookupNumbers = boost::container::static_vector<double, 4>;
+
+// True if one of the boxes holds the float32 numbers. If everything is permitted, so is NaN.
+bool hold(const Boxes& boxes, const LookupNumbers& numbers);
+// Describes the smallest box around all others: "1 to 2, 0.5 to 0.75".
+std::string describe_range(const Boxes& boxes);
 
 class TextureLookups {
  public:
@@ -133,7 +142,7 @@ class TextureLookups {
   };
   // Computed once for a fragment.
   struct OfFragment {
-    boost::container::small_vector<std::pair<DerivativeMethod, Gradients>, 2> gradients;
+    boost::container::small_vector<std::pair<DerivativeMethod, Gradients>, 1> gradients;
   };
 
   OfDraw of_draw(const Draw& draw) const;
@@ -173,7 +182,7 @@ class TextureLookups {
   std::map<std::size_t, DecodedTexture> srgb_;  // of sRGB textures, not decoded; made on demand
   std::vector<std::optional<PermittedDerivatives>> primitives_;  // of s and of t
   InexactCoordinates inexact_;
-  std::vector<OfFragment> kept_;
+  std::deque<OfFragment> kept_;
   std::vector<std::uint32_t> places_;  // by fragment: its place in kept_ from 1 on, or 0
   std::vector<std::uint32_t> free_;    // places of fragments that are forgotten
 };

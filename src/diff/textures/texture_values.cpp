@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/container/static_vector.hpp>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -34,43 +33,15 @@ constexpr Subject kLevels{"level of detail", RuleId::texture_scale_factor, 19,
                           "level accessed and lambda'", true};
 constexpr Subject kColors{"texture color", RuleId::texture_filter, 24, "looked-up colour", false};
 
-using Numbers = boost::container::static_vector<double, 4>;
-
 // A lookup that a renderer reported.
 struct ReportedLookup {
   const Fragment* fragment;
-  Numbers exact;
-  Numbers rendered;
+  LookupNumbers exact;
+  LookupNumbers rendered;
 };
 
 bool is_same(double a, double b) {
   return to_float(a) == to_float(b) || (std::isnan(a) && std::isnan(b));
-}
-
-// If everything is permitted, so is NaN.
-bool range_has(Interval range, double number) {
-  if (std::isnan(range.low) || std::isnan(range.high)) return true;
-  if (std::isnan(number)) return std::isinf(range.low) && std::isinf(range.high);
-  return rounded_to_float(range).contains(to_float(number));
-}
-
-bool hold(const Boxes& boxes, const Numbers& numbers) {
-  return std::ranges::any_of(boxes, [&](const Box& box) {
-    for (std::size_t c = 0; c < box.size(); ++c)
-      if (!range_has(box[c], numbers[c])) return false;
-    return true;
-  });
-}
-
-// Describes the smallest box around all others: "1 to 2, 0.5 to 0.75".
-std::string describe_range(const Boxes& boxes) {
-  Box all = boxes.front();
-  for (const Box& box : boxes)
-    for (std::size_t c = 0; c < box.size(); ++c) all[c] = hull(all[c], box[c]);
-  std::string text;
-  for (const Interval range : all)
-    text += fmt::format("{}{:.9g} to {:.9g}", text.empty() ? "" : ", ", range.low, range.high);
-  return text;
 }
 
 // In units of the last place. NaN, and an infinity in place of a number, count like two numbers of
@@ -146,7 +117,7 @@ class LookupComparison {
   };
 
   // The values that the renderer reports.
-  Numbers rendered_of(const Fragment& fragment) const {
+  LookupNumbers rendered_of(const Fragment& fragment) const {
     if (!subject_.is_query) return {fragment.color.begin(), fragment.color.end()};
     const auto& lookup = *lookups_.detail_of(fragment)->level_of_detail;
     return {lookup.begin(), lookup.end()};
@@ -157,14 +128,13 @@ class LookupComparison {
   enum class Fit { none, rounded, whole };
   Fit fit_of(const ReportedLookup& lookup, const TextureChoice& choice, bool as_reported) const {
     const Fragment& fragment = *lookup.fragment;
-    const auto result_if = [&](bool holds, Fit fit) { return holds ? fit : Fit::none; };
     if (subject_.is_query)
-      return result_if(hold(lookups_.levels(fragment, choice), lookup.rendered), Fit::whole);
+      return hold(lookups_.levels(fragment, choice), lookup.rendered) ? Fit::whole : Fit::none;
     const Texels colors = lookups_.colors(fragment, choice, as_reported);
     if (hold(lookups_.widened(fragment, colors, false), lookup.rendered)) return Fit::whole;
-    return result_if(lookups_.may_round(fragment) &&
-                         hold(lookups_.widened(fragment, colors, true), lookup.rendered),
-                     Fit::rounded);
+    const bool is_rounded = lookups_.may_round(fragment) &&
+                            hold(lookups_.widened(fragment, colors, true), lookup.rendered);
+    return is_rounded ? Fit::rounded : Fit::none;
   }
   bool fits(const ReportedLookup& lookup, const TextureChoice& choice, Terms terms) const {
     const Fit fit = fit_of(lookup, choice, terms.as_reported);

@@ -173,8 +173,7 @@ using Probes = boost::container::small_vector<Probe, 1>;
 struct ProbeRow {
   bool along_x = false;   // the longer vector is that along x; arbitrary for one probe
   Interval scale_factor;  // texels per pixel; its logarithm is lambda_base
-  Probes
-      probes;  // from -1/2 on; without anisotropy one at 0, of weight 1
+  Probes probes;          // from -1/2 on; without anisotropy one at 0, of weight 1
 };
 
 // If the lengths are known only as intervals, their middles decide which is longer and how many

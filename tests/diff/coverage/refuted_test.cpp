@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <optional>
+#include <vector>
 
 #include "diff/coverage/cause.h"
 #include "raster/rasterizer.h"
@@ -82,6 +84,54 @@ TEST(Refuted, IsWhatIsDrawnOtherwise) {
     }
   std::printf("%zu primitives, %zu alternatives refuted\n", primitives, refuted);
   EXPECT_GT(refuted, 3 * primitives);
+}
+
+// A scene in other states: some decide what its primitives cover, and others leave it alone.
+std::vector<Scene> in_other_states(const Scene& scene) {
+  std::vector<Scene> others{scene};
+  const auto add = [&](const auto& change) {
+    change(others.emplace_back(scene));
+    others.push_back(scene);
+  };
+  add([](Scene& one) { one.draws[0].line_width = Fixed::from_integer(3); });
+  add([](Scene& one) { one.draws[0].point_size = Fixed::from_integer(3); });
+  add([](Scene& one) { one.draws[0].scissor = Viewport{2, 1, 3, 4}; });
+  add([](Scene& one) { one.draws[0].front_face = FrontFace::cw; });
+  add([](Scene& one) { one.draws[0].cull = CullMode::front; });
+  add([](Scene& one) { one.draws[0].cull = CullMode::none; });
+  add([](Scene& one) { one.target.width = 4; });
+  add([](Scene& one) { one.target.height = 5; });
+  add([](Scene& one) {
+    one.draws[0].vertices[0].position.x = one.draws[0].vertices[0].position.x + Fixed::from_raw(1);
+  });
+  add([](Scene& one) { one.draws[0].interpolation = Interpolation::smooth; });
+  add([](Scene& one) { one.target.depth = DepthFormat::depth24; });
+  return others;
+}
+
+TEST(Refuted, IsKnownOfTheSameShapeAlone) {
+  RandomScenes scenes(9);
+  std::size_t differ = 0;
+  for (const std::int64_t step : {32768, 4096, 1})
+    for (int i = 0; i < 40; ++i) {
+      Scene scene = scenes.next({8, step, 1, false});
+      scene.draws[0].cull = CullMode::back;
+      const RuleChoices choices = resolve(kPolicies[i % 3], Surface::fbo);
+      std::optional<AlternativeSet> of_scene;
+      for (const Scene& other : in_other_states(scene)) {
+        const ScenePrimitive primitive = primitives_of(other).at(0);
+        const CauseQuestion question{primitive, other.target, choices};
+        const SampleCoverage drawn =
+            covered_samples(primitive, other.target, choices.of(primitive.kind), {});
+        const AlternativeSet wanted = drawn_otherwise(question, drawn);
+        AlternativeSet marked;
+        mark_refuted(question, {drawn, drawn}, marked);
+        ASSERT_TRUE(marked == wanted) << step << " " << i;
+        if (!of_scene) of_scene = wanted;
+        if (!(wanted == *of_scene)) ++differ;
+      }
+    }
+  EXPECT_GT(differ, 200U);
 }
 
 // Triangles of clip positions. Of those that are clipped, corners are moved in some ways to clip

@@ -152,6 +152,24 @@ TEST_F(Latitude, PermittedHoldsInexactHoldsExact) {
     }
 }
 
+// A value that is off by the error of one operation needs no bounds (diff/values/value_judge.h).
+TEST_F(Latitude, InexactHoldsTheErrorOfOneOperation) {
+  int known = 0;
+  for (const Shape shape : kShapes)
+    for (int i = 0; i < share_of(kScenes); ++i) {
+      Example e = example(shape, i % 2 == 0 ? 0 : 20);
+      if (i % 3 == 0) e.f.kind = PrimitiveKind::line;
+      e.f.perspective = i % 4 != 0;
+      const Interval exact = interpolate_exact(e.f, e.sample());
+      const Interval inexact = interpolate_inexact(e.f, e.sample());
+      const double error = 0.95e-5 * std::min(std::fabs(exact.low), std::fabs(exact.high));
+      if (!(exact.high - exact.low <= 0.01 * error)) continue;
+      ASSERT_TRUE(inexact.contains(exact.low - error) && inexact.contains(exact.high + error));
+      ++known;
+    }
+  EXPECT_GT(known, 3 * share_of(kScenes) * 9 / 10);
+}
+
 // The same vertices as quotients that no power of two divides.
 TEST_F(Latitude, OfQuotientsIsThatOfTheirPositions) {
   for (int i = 0; i < kScenes; ++i) {
