@@ -44,12 +44,16 @@ struct Switch {
     return is_active(number);
   }
 
-  // Arithmetic, shifts and bits: one mutant each, of the original's type.
-#define EDGECASE_BINARY(name, original, mutated)                           \
-  template <class A, class B>                                              \
-  static constexpr auto name(int number, A a, B b) {                       \
-    using Result = std::decay_t<decltype(a original b)>;                   \
-    return is(number) ? static_cast<Result>(a mutated b) : (a original b); \
+  // Arithmetic, shifts and bits: one mutant each, of the original's type. Where the types lack the
+  // other operator, as lanes and an interval do, the second operand is dropped.
+#define EDGECASE_BINARY(name, original, mutated)                             \
+  template <class A, class B>                                                \
+  static constexpr auto name(int number, A a, B b) {                         \
+    using Result = std::decay_t<decltype(a original b)>;                     \
+    if constexpr (requires { static_cast<Result>(a mutated b); })            \
+      return is(number) ? static_cast<Result>(a mutated b) : (a original b); \
+    else                                                                     \
+      return is(number) ? static_cast<Result>(a) : (a original b);           \
   }
   EDGECASE_BINARY(plus, +, -)
   EDGECASE_BINARY(minus, -, +)

@@ -131,7 +131,7 @@ TEST(TextureSampler, NothingKnownIsEverything) {
                               [&](const Texel& box) { return same_box(box, texel); }));
 }
 
-bool holds(const std::vector<Texel>& boxes, const Texel& color) {
+bool holds(const Texels& boxes, const Texel& color) {
   return std::any_of(boxes.begin(), boxes.end(), [&](const Texel& box) {
     for (std::size_t c = 0; c < 4; ++c)
       if (!edgecase::holds(box[c], color[c])) return false;
@@ -226,7 +226,7 @@ TEST(TextureSampler, HullsHoldEveryComponentOfEveryBox) {
 }
 
 // Levels of so many texels, each unlike all others, halfway between both levels.
-std::vector<Texel> pairs_of(int first, int second) {
+Texels pairs_of(int first, int second) {
   const auto texel = [&](int i, int, int level) {
     const int value = level == 0 ? i : first * i;
     return std::array<float, 4>{static_cast<float>(value), 0, 0, 0};

@@ -276,7 +276,8 @@ struct SingleChangeList {
     const auto found = std::ranges::find(shapes, shape, &KnownShape::shape);
     if (found != shapes.end()) return *found;
     if (shapes.size() == kMostShapes) shapes.pop_front();
-    return shapes.emplace_back(shape, std::vector<std::optional<bool>>(changes.size()));
+    shapes.push_back({shape, std::vector<std::optional<bool>>(changes.size())});
+    return shapes.back();
   }
 };
 

@@ -145,12 +145,19 @@ CodeRange codes_around(Interval value) {
 
 // The code nearest to an operand, a tie to the even one.
 int nearest_operand(double value) {
-  const double scaled = unit_clamped(value) * kLargest;
+  const double clamped = unit_clamped(value);
+  const double scaled = clamped * kLargest;
   const double nearest = std::nearbyint(scaled);
   // The product is off by far less than this.
   constexpr double kNearHalf = 0.499999;
   if (std::fabs(scaled - nearest) < kNearHalf) return static_cast<int>(nearest);
-  return nearest_code(rational_of(unit_clamped(value)));
+  // Both are exact: how far the product is above the half, and how far the number is above that.
+  const double below = std::floor(scaled);
+  const double above_half = scaled - below - 0.5;
+  const double error = std::fma(clamped, kLargest, -scaled);
+  const bool is_odd = std::fmod(below, 2) != 0;
+  const bool is_up = above_half > -error || (above_half == -error && is_odd);
+  return static_cast<int>(below) + (is_up ? 1 : 0);
 }
 
 // Exchanges the colour factor of `over` for that of its other form.

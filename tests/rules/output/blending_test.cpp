@@ -134,6 +134,17 @@ TEST(Blending, RandomNumbersRoundAsFractionsDo) {
 }
 
 // A tie that is exact, and numbers one unit in the last place beside it.
+// The doubles around the middle between each code and the next; 1/2, a tie, is among them.
+TEST(Blending, SourcesBetweenCodesAreRoundedFirst) {
+  const Blending replace;
+  for (int code = 0; code < 255; ++code) {
+    double source = (code + 0.5) / 255;
+    for (int i = 0; i < 4; ++i) source = std::nextafter(source, 0);
+    for (int i = 0; i < 9; ++i, source = std::nextafter(source, 1))
+      expect_as_oracle(replace, {source, 1, 0, source}, {1, 2, 3, 4});
+  }
+}
+
 TEST(Blending, RoundsTiesToTheEvenValue) {
   const Blending replace;
   const auto red = [&](double value) { return int{written(replace, {value, 0, 0, 0}, {})[0]}; };

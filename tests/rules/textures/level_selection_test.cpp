@@ -26,7 +26,7 @@ TEST(PickLevels, OfAnExactLambdaIsTheOneOfTheFormulas) {
   for_each_setting([&](const Setting& s) {
     ++settings;
     for (int lambda = -2 * kUnit; lambda <= 8 * kUnit; ++lambda) {
-      const std::vector<LevelPick> picks = picks_of(static_cast<double>(lambda) / kUnit, s);
+      const LevelPicks picks = picks_of(static_cast<double>(lambda) / kUnit, s);
       const Expected expected = literal(lambda, s);
       ASSERT_EQ(picks.size(), 1u) << lambda;
       ASSERT_TRUE(same_levels(picks[0], expected)) << lambda;
@@ -60,7 +60,7 @@ TEST(PickLevels, OfAnIntervalAreThoseOfItsPoints) {
       const int unit = random.one_in(2) ? 1 : kUnit / 2;
       const int low = unit * static_cast<int>(random.integer(-kUnit / unit, 7 * kUnit / unit));
       const int high = low + unit * static_cast<int>(random.integer(0, 2 * kUnit / unit));
-      const std::vector<LevelPick> picks =
+      const LevelPicks picks =
           picks_of({static_cast<double>(low) / kUnit, static_cast<double>(high) / kUnit}, s);
       std::vector<Interval> weights(picks.size(), Interval(2, -1));
       for (int lambda = low; lambda <= high; ++lambda) {
@@ -87,7 +87,7 @@ TEST(PickLevels, ComeInTheOrderOfLambda) {
   Setting s;
   s.sampler.mipmap = MipFilter::linear;
   s.last = 3;
-  const std::vector<LevelPick> picks = picks_of({-1, 9}, s);
+  const LevelPicks picks = picks_of({-1, 9}, s);
   ASSERT_EQ(picks.size(), 5u);
   EXPECT_TRUE(picks[0].magnified);
   for (int k = 0; k < 4; ++k) EXPECT_EQ(picks[static_cast<std::size_t>(k + 1)].level, k);
@@ -143,7 +143,7 @@ TEST(PickLevels, AnyTieFindsBothSidesOfTheCrossover) {
   s.sampler.mipmap = MipFilter::linear;
   s.last = 4;
   s.rules.crossover = Crossover::by_filters;
-  const std::vector<LevelPick> picks = picks_of(0.5, s);
+  const LevelPicks picks = picks_of(0.5, s);
   ASSERT_EQ(picks.size(), 2u);
   EXPECT_TRUE(picks[0].magnified);
   EXPECT_EQ(picks[1].weight.low, 0.5);
@@ -166,17 +166,17 @@ TEST(PickLevels, SlackWidensWeightsWithinZeroToOne) {
 
 TEST(PickLevels, AreDefinedForEverything) {
   for_each_setting([](const Setting& s) {
-    const std::vector<LevelPick> near = picks_of(-kInfinity, s);
+    const LevelPicks near = picks_of(-kInfinity, s);
     ASSERT_EQ(near.size(), 1u);
     ASSERT_TRUE(near[0].magnified);
-    const std::vector<LevelPick> far = picks_of(kInfinity, s);
+    const LevelPicks far = picks_of(kInfinity, s);
     ASSERT_EQ(far.size(), 1u);
     const bool chooses = s.sampler.mipmap != MipFilter::none;
     ASSERT_EQ(far[0].level, chooses ? s.last : s.sampler.base_level);
     ASSERT_EQ(far[0].next, far[0].level);
     ASSERT_EQ(picks_of(1e300, s).at(0).level, far[0].level);
     // Every level is possible where nothing is known, and the first pick is the base level.
-    const std::vector<LevelPick> unknown = picks_of(kNone, s);
+    const LevelPicks unknown = picks_of(kNone, s);
     ASSERT_TRUE(unknown.front().magnified);
     ASSERT_EQ(unknown.back().level, far[0].level);
     ASSERT_EQ(unknown.size(), picks_of(Interval::everything(), s).size());

@@ -104,7 +104,7 @@ inline bool same_levels(const LevelPick& pick, const Expected& e) {
          pick.magnified == e.magnified;
 }
 
-inline std::vector<LevelPick> picks_of(Interval lambda, const Setting& s) {
+inline LevelPicks picks_of(Interval lambda, const Setting& s) {
   return pick_levels(lambda, s.sampler, s.last, s.rules);
 }
 

@@ -159,7 +159,7 @@ TEST(PointsOnAGrid, YieldWhatALiteralFilterYields) {
 }
 
 // A point's own box is a little wider than its colour, so that it may reach out of one.
-bool one_meets(const std::vector<Texel>& boxes, const Texel& colour) {
+bool one_meets(const Texels& boxes, const Texel& colour) {
   return std::any_of(boxes.begin(), boxes.end(),
                      [&](const Texel& box) { return meets(box, colour); });
 }

@@ -22,13 +22,13 @@ constexpr std::array<Wrap, 2> kEdge{Wrap::clamp_to_edge, Wrap::clamp_to_edge};
 constexpr std::array<Wrap, 2> kBorder{Wrap::clamp_to_border, Wrap::clamp_to_border};
 constexpr std::array<float, 4> kHundred{100, 0, 0, 0};
 
-std::vector<Texel> looked_up(const DecodedLevel& level, Filter filter, const TexturePoint& point,
-                             const TexelLookup& lookup) {
+Texels looked_up(const DecodedLevel& level, Filter filter, const TexturePoint& point,
+                 const TexelLookup& lookup) {
   return filter_level(level, 2, TextureFormat::rgba32f, filter, point, lookup);
 }
 
 // The reds of the boxes, which must be points.
-std::set<double> reds(const std::vector<Texel>& boxes) {
+std::set<double> reds(const Texels& boxes) {
   std::set<double> result;
   for (const Texel& box : boxes) {
     EXPECT_EQ(box[0].low, box[0].high);
@@ -43,7 +43,7 @@ using Reds = std::set<double>;
 // What the reds of the boxes lie between.
 using RedEnds = std::multiset<Ends>;
 
-RedEnds red_ends(const std::vector<Texel>& boxes) {
+RedEnds red_ends(const Texels& boxes) {
   RedEnds result;
   for (const Texel& box : boxes) result.insert(ends_of(box[0]));
   return result;
