@@ -111,36 +111,36 @@ std::array<double, N> to_doubles(const float (&numbers)[N]) {
   return result;
 }
 
-FragmentDetail to_detail(const DetailedRecord& record) {
+FragmentDetail to_detail(const DetailedRecord& record, Details asked) {
   FragmentDetail detail;
   detail.coordinates = to_doubles(record.coordinates);
-  for (std::size_t i = 0; i < kDerivatives; ++i)
+  for (std::size_t i = 0; i < kDerivatives && asked.derivatives; ++i)
     detail.derivatives[i] = to_doubles(record.derivatives[i]);
   return detail;
 }
 
-FragmentDetail to_detail(const TexturedRecord& record) {
-  FragmentDetail detail = to_detail(static_cast<const DetailedRecord&>(record));
+FragmentDetail to_detail(const TexturedRecord& record, Details asked) {
+  FragmentDetail detail = to_detail(static_cast<const DetailedRecord&>(record), asked);
   detail.texture_coordinates = to_doubles(record.texture_coordinates);
   detail.level_of_detail = to_doubles(record.level_of_detail);
   return detail;
 }
 
 template <class AnyRecord>
-void append(const AnyRecord& record, Rendering& rendering) {
+void append(const AnyRecord& record, Details asked, Rendering& rendering) {
   Fragment& fragment = rendering.fragments.emplace_back();
   fill(record, rendering.samples > 1, fragment);
   if constexpr (!std::is_same_v<AnyRecord, Record>) {
     fragment.detail = static_cast<int>(rendering.details.size());
-    rendering.details.push_back(to_detail(record));
+    rendering.details.push_back(to_detail(record, asked));
   }
 }
 
 template <class AnyRecord>
-void append_words(std::span<const std::uint32_t> words, Rendering& rendering) {
+void append_words(std::span<const std::uint32_t> words, Details asked, Rendering& rendering) {
   AnyRecord record;
   std::memcpy(&record, words.data(), sizeof(record));
-  append(record, rendering);
+  append(record, asked, rendering);
 }
 
 std::size_t size_of(Capture::Form form) {
@@ -161,14 +161,15 @@ std::size_t words_of(Capture::Form form) {
   return size_of(form) / sizeof(std::uint32_t);
 }
 
-void append_record(Capture::Form form, std::span<const std::uint32_t> words, Rendering& rendering) {
+void append_record(Capture::Form form, std::span<const std::uint32_t> words, Details asked,
+                   Rendering& rendering) {
   switch (form) {
     case Capture::Form::plain:
-      return append_words<Record>(words, rendering);
+      return append_words<Record>(words, asked, rendering);
     case Capture::Form::detailed:
-      return append_words<DetailedRecord>(words, rendering);
+      return append_words<DetailedRecord>(words, asked, rendering);
     case Capture::Form::textured:
-      return append_words<TexturedRecord>(words, rendering);
+      return append_words<TexturedRecord>(words, asked, rendering);
   }
 }
 
@@ -208,7 +209,7 @@ std::uint32_t Capture::count() {
 }
 
 template <class AnyRecord>
-void Capture::read_records(std::uint32_t count, Rendering& rendering) {
+void Capture::read_records(std::uint32_t count, Details asked, Rendering& rendering) {
   // Zeros, since a GL that raises an error leaves them unwritten.
   std::vector<AnyRecord> records(count);
   if (count > 0 && !read_storage(gl_, kHeaderSize, count * sizeof(AnyRecord), records.data())) {
@@ -218,19 +219,20 @@ void Capture::read_records(std::uint32_t count, Rendering& rendering) {
   constexpr bool kDetailed = !std::is_same_v<AnyRecord, Record>;
   rendering.fragments.reserve(count);
   rendering.details.reserve(kDetailed ? count : 0);
-  for (const std::uint32_t i : sorted<AnyRecord>(records, rendering)) append(records[i], rendering);
+  for (const std::uint32_t i : sorted<AnyRecord>(records, rendering))
+    append(records[i], asked, rendering);
 }
 
-void Capture::read(std::uint32_t count, Rendering& rendering) {
+void Capture::read(std::uint32_t count, Details asked, Rendering& rendering) {
   switch (form_) {
     case Form::plain:
-      read_records<Record>(count, rendering);
+      read_records<Record>(count, asked, rendering);
       break;
     case Form::detailed:
-      read_records<DetailedRecord>(count, rendering);
+      read_records<DetailedRecord>(count, asked, rendering);
       break;
     case Form::textured:
-      read_records<TexturedRecord>(count, rendering);
+      read_records<TexturedRecord>(count, asked, rendering);
       break;
   }
   // Records were sorted with the coverage as a part of x.

@@ -18,6 +18,7 @@
 #include <span>
 
 #include "model/rendering.h"
+#include "model/scene.h"
 #include "reference/gl_objects.h"
 
 namespace edgecase {
@@ -42,14 +43,14 @@ class Capture {
   void grow(std::uint32_t count);
   // Reads the captured fragments, sorted, into a rendering with a known number of samples; there
   // must have been room for all `count`. In a detailed capture, every fragment has all details of
-  // its record.
-  void read(std::uint32_t count, Rendering& rendering);
+  // its record; of derivatives only if they are `asked` for.
+  void read(std::uint32_t count, Details asked, Rendering& rendering);
   // Whether some reading since `begin` failed. Count and fragments are then invalid.
   bool lost() const { return lost_; }
 
  private:
   template <class Record>
-  void read_records(std::uint32_t count, Rendering& rendering);
+  void read_records(std::uint32_t count, Details asked, Rendering& rendering);
 
   const GladGLContext& gl_;
   Form form_;
@@ -63,7 +64,8 @@ class Capture {
 std::size_t words_of(Capture::Form form);
 
 // Appends the fragment of a record, words_of(form) words in its order, to a rendering with a known
-// number of samples.
-void append_record(Capture::Form form, std::span<const std::uint32_t> words, Rendering& rendering);
+// number of samples; `asked` as in Capture::read.
+void append_record(Capture::Form form, std::span<const std::uint32_t> words, Details asked,
+                   Rendering& rendering);
 
 }  // namespace edgecase

@@ -289,7 +289,7 @@ std::optional<std::string> SceneRenderer::capture_fragments(const Scene& scene,
     capture.begin();
     draw_all(scene, pass);
     const std::uint32_t count = capture.count();
-    if (count <= capture.capacity()) capture.read(count, rendering);
+    if (count <= capture.capacity()) capture.read(count, scene.details, rendering);
     if (capture.lost()) return "the captured fragments cannot be read";
     if (count <= capture.capacity()) return std::nullopt;
     if (count > capture.limit())
@@ -305,8 +305,9 @@ void SceneRenderer::drop_details(const Scene& scene, Rendering& rendering) const
   const std::vector<ScenePrimitive> primitives = primitives_of(scene);
   for (const Fragment& fragment : rendering.fragments) {
     FragmentDetail& detail = rendering.details[static_cast<std::size_t>(fragment.detail)];
-    if (!objects_->programs.plain().fine_and_coarse)
-      std::fill(detail.derivatives.begin() + 2, detail.derivatives.end(), std::nullopt);
+    const bool has_plain_alone =
+        !objects_->programs.plain().fine_and_coarse && is_reported(detail.derivatives);
+    for (std::size_t i = 2; i < kDerivatives && has_plain_alone; ++i) detail.derivatives[i].reset();
     if (fragment.primitive == kNoPrimitive) continue;  // a doubt, see below
     const auto& texture = primitives[static_cast<std::size_t>(fragment.primitive)].state->texture;
     for_each_field<FragmentDetail>([&](const auto& field) {

@@ -57,6 +57,7 @@ void WordCapture::begin(const Scene& scene, Capture::Form form, bool coverage_on
   width_ = rendering.width;
   height_ = rendering.height;
   form_ = form;
+  asked_ = scene.details;
   multisampled_ = rendering.samples > 1;
   parts_.clear();
   for (const auto& [first, end] : requested_words(scene, form, coverage_only)) {
@@ -141,7 +142,7 @@ void WordCapture::append(std::size_t site, Rendering& rendering) const {
   if (multisampled_) record[0] |= words[kSamplesWord] << 16;
   record[1] = static_cast<std::uint32_t>(pixel / width);
   std::copy(words.begin(), words.end(), record.begin() + 2);
-  append_record(form_, std::span(record).first(words_of(form_)), rendering);
+  append_record(form_, std::span(record).first(words_of(form_)), asked_, rendering);
 }
 
 // Of the sites from `first` on, which belong to one pixel: those of one invocation are equal.

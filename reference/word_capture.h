@@ -81,6 +81,7 @@ class WordCapture {
   int width_ = 0;
   int height_ = 0;
   Capture::Form form_ = Capture::Form::plain;
+  Details asked_;
   std::vector<int> parts_;
   std::vector<std::int32_t> limits_;  // by pixel: primitives from this one on are not drawn
   std::vector<std::uint32_t> told_;   // by sample: fragments that were told

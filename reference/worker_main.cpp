@@ -15,6 +15,7 @@
 // times drawing (wire/message.h). Environment variables set by its parent choose the driver;
 // --expect-driver verifies it, see driver_proof.h. If there is no context, or another driver than
 // the expected one, it prints a sentence to standard error and exits with status 3.
+#include <malloc.h>
 #include <unistd.h>
 
 #include <array>
@@ -222,5 +223,8 @@ extern "C" const char* __asan_default_options() {
 #endif
 
 int main(int argc, char** argv) {
+  // What a scene took serves the next one: pages that the system gives anew are cleared first.
+  mallopt(M_MMAP_THRESHOLD, 1 << 25);
+  mallopt(M_TRIM_THRESHOLD, 1 << 26);
   return edgecase::run(argc, argv);
 }

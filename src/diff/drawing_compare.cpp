@@ -49,8 +49,8 @@ void compare_planes(const ValueContext& values, const Rendering& rendered, Resul
 // Compares the values of fragments, and what they leave in the target.
 void compare_values(const ValueContext& values, const Rendering& exact, const Rendering& rendered,
                     const RuleChoices* profile, Result& result) {
-  compare_fragment_values(values, rendered, result);
-  compare_coordinates(values, rendered, result);
+  compare_fragment_values(values, exact, rendered, result);
+  compare_coordinates(values, exact, rendered, result);
   compare_derivatives(values, rendered, result);
   compare_texture_lookups(values, exact, rendered, profile ? &profile->textures : nullptr, result);
   compare_mip_chains(values, exact, rendered, result);

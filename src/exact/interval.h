@@ -23,9 +23,10 @@ namespace edgecase {
 
 // The smallest double above; infinity stays infinity. The value must not be NaN.
 inline double next_above(double value) {
-  if (value == std::numeric_limits<double>::infinity()) return value;
+  constexpr auto kInfinity = std::bit_cast<std::int64_t>(std::numeric_limits<double>::infinity());
   // Doubles of one sign are ordered like their bits; adding zero turns -0 into +0.
   const auto bits = std::bit_cast<std::int64_t>(value + 0.0);
+  if (bits == kInfinity) return value;
   return std::bit_cast<double>(bits < 0 ? bits - 1 : bits + 1);
 }
 
@@ -56,14 +57,13 @@ struct Interval {
 // One unit in the last place outwards covers the half unit by which the hardware may have rounded.
 // If an end is NaN, the result is the whole line.
 inline Interval outward(double low, double high) {
-  if (std::isnan(low) || std::isnan(high)) return Interval::everything();
+  if (std::isunordered(low, high)) return Interval::everything();
   return {next_below(low), next_above(high)};
 }
 
 // The smallest interval, rounded outwards, that holds all four numbers.
 inline Interval outward(double a, double b, double c, double d) {
-  if (std::isnan(a) || std::isnan(b) || std::isnan(c) || std::isnan(d))
-    return Interval::everything();
+  if (std::isunordered(a, b) || std::isunordered(c, d)) return Interval::everything();
   return {next_below(std::min(std::min(a, b), std::min(c, d))),
           next_above(std::max(std::max(a, b), std::max(c, d)))};
 }

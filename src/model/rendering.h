@@ -33,13 +33,39 @@ inline constexpr auto kNames<Derivative> =
                                       {Derivative::y_coarse, "dFdyCoarse"}});
 constexpr std::size_t kDerivatives = kNames<Derivative>.size();
 
+// For each derivative function the values of four components, per pixel; null: not reported. Most
+// fragments report none, and then this takes little memory.
+class DerivativeValues {
+ public:
+  using Value = std::optional<std::array<double, 4>>;
+
+  const Value& operator[](std::size_t function) const {
+    static constexpr Value kNone;
+    return values_.empty() ? kNone : values_[function];
+  }
+  Value& operator[](std::size_t function) {
+    values_.resize(kDerivatives);
+    return values_[function];
+  }
+  bool has_any() const {
+    return std::ranges::any_of(values_, [](const Value& value) { return value.has_value(); });
+  }
+  friend bool operator==(const DerivativeValues& a, const DerivativeValues& b) {
+    for (std::size_t i = 0; i < kDerivatives; ++i)
+      if (a[i] != b[i]) return false;
+    return true;
+  }
+
+ private:
+  std::vector<Value> values_;  // kDerivatives, or none
+};
+
 // Further values of a fragment; null if the renderer does not report them.
 struct FragmentDetail {
   // gl_FragCoord: x, y in pixels, z in 0 to 1, 1/w.
   std::optional<std::array<double, 4>> coordinates;
-  // For the colour's four components, per pixel: dFdx, dFdy, dFdxFine, dFdyFine, dFdxCoarse,
-  // dFdyCoarse. For a textured draw: s, t and zeros.
-  std::array<std::optional<std::array<double, 4>>, kDerivatives> derivatives;
+  // Of the colour's four components. For a textured draw: s, t and zeros.
+  DerivativeValues derivatives;
   // For a textured draw: s and t, as interpolated.
   std::optional<std::array<double, 2>> texture_coordinates;
   // For a textured draw, the results of textureQueryLod: the level that is accessed, with 0 for the

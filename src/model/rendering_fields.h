@@ -4,9 +4,6 @@
 // requests it. Answers in binary and JSON, and their checks, walk over this list in its order.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <optional>
 #include <tuple>
 
@@ -49,9 +46,8 @@ template <class Numbers>
 bool is_reported(const std::optional<Numbers>& numbers) {
   return numbers.has_value();
 }
-template <class Numbers, std::size_t N>
-bool is_reported(const std::array<std::optional<Numbers>, N>& parts) {
-  return std::ranges::any_of(parts, is_reported<Numbers>);
+inline bool is_reported(const DerivativeValues& derivatives) {
+  return derivatives.has_any();
 }
 
 }  // namespace edgecase

@@ -85,10 +85,12 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
     const std::vector<PixelPosition> pixels = covered_pixels(primitive, target, choice);
     make_room(pixels.size(), rendering.fragments);
     if (pixels.empty()) continue;
+    const bool has_details =
+        details.coordinates || details.derivatives || (details.texture && textured);
     const bool one_detail = are_details_constant(attributes, details, textured.has_value());
-    if (!one_detail) make_room(pixels.size(), rendering.details);
+    if (has_details && !one_detail) make_room(pixels.size(), rendering.details);
     // If all fragments have one colour and one depth, only the first is shaded.
-    if (!textured && !details.any() && are_constant(attributes)) {
+    if (!textured && !has_details && are_constant(attributes)) {
       draw_alike(rendering, stage, primitive, shade(primitive, attributes, pixels.front()),
                  front_facing, pixels);
       continue;
@@ -102,7 +104,7 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
       Fragment fragment = !textured && primitive.kind == PrimitiveKind::triangle
                               ? runs.next()
                               : shaded(primitive, attributes, target, choice, pixel, shown);
-      if (details.any()) {
+      if (has_details) {
         if (!one_detail || pixel == pixels.front())
           rendering.details.push_back(shade_details(attributes, colors,
                                                     quad_of(pixel, choices.values, target),
@@ -157,10 +159,10 @@ Rendering rasterize(const Scene& scene, const ResolvedPolicy& policy,
   return drawn(scene, policy, reported, scene.details);
 }
 
-Rendering rasterize_without_details(const Scene& scene, const ResolvedPolicy& policy,
-                                    const SamplePositions& reported) {
-  if (!scene.supersampling.empty()) return draw_passes(scene, policy, rasterize_without_details);
-  return drawn(scene, policy, reported, {});
+Rendering rasterize_for_comparison(const Scene& scene, const ResolvedPolicy& policy,
+                                   const SamplePositions& reported) {
+  if (!scene.supersampling.empty()) return draw_passes(scene, policy, rasterize_for_comparison);
+  return drawn(scene, policy, reported, {.texture = scene.details.texture});
 }
 
 ExactRenderer::ExactRenderer(const Policy& policy)

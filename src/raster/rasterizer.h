@@ -80,10 +80,10 @@ SampleCoverage covered_samples(const ScenePrimitive& primitive, const Target& ta
 Rendering rasterize(const Scene& scene, const ResolvedPolicy& policy,
                     const SamplePositions& reported = {});
 
-// The same without Rendering::details, which may take four times the fragments' memory. A
-// comparison derives the permitted details itself.
-Rendering rasterize_without_details(const Scene& scene, const ResolvedPolicy& policy,
-                                    const SamplePositions& reported = {});
+// The same with the further values that comparisons take from it: of textured draws coordinates and
+// levels of detail, if the scene asks for them. A comparison derives the other ones itself.
+Rendering rasterize_for_comparison(const Scene& scene, const ResolvedPolicy& policy,
+                                   const SamplePositions& reported = {});
 
 // The exact rasterizer behind the Renderer interface, under one policy, for `--against exact` and
 // `render --with exact`. Comparisons call rasterize directly.

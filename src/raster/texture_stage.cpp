@@ -58,7 +58,7 @@ class PickedColors {
  private:
   static void add_mixed(const Texels& first, Texels second, Interval weight, Texels& boxes) {
     constexpr std::size_t kManyPairs = 1000;
-    if (first.size() * second.size() > kManyPairs) second.assign(1, Texel(hull_of(second)));
+    if (first.size() * second.size() > kManyPairs) second = {hull_of(second)};
     for (const Texel& a : first)
       for (const Texel& b : second) add(boxes, mixed(a, b, weight));
   }

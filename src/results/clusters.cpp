@@ -250,12 +250,17 @@ std::vector<Cluster> clusters_of(const Results& results, std::size_t renderer) {
 
 std::vector<std::vector<Cluster>> clusters_of(const Results& results) {
   std::vector<ClusterGatherer> gatherers(results.renderers.size());
-  for (std::size_t i = 0; i < results.cases.size(); ++i) {
-    if (!has_details(results.cases.outline(i))) continue;
-    const CaseResults one = results.cases[i];
-    for (std::size_t r = 0; r < std::min(gatherers.size(), one.results.size()); ++r)
-      gatherers[r].add(one, one.results[r]);
-  }
+  const auto case_of = [&](std::size_t i) {
+    std::optional<CaseResults> one;
+    if (has_details(results.cases.outline(i))) one = results.cases[i];
+    return one;
+  };
+  const auto add = [&](std::size_t, const std::optional<CaseResults>& one) {
+    if (!one) return;
+    for (std::size_t r = 0; r < std::min(gatherers.size(), one->results.size()); ++r)
+      gatherers[r].add(*one, one->results[r]);
+  };
+  make_in_order(results.cases.size(), case_of, add);
   std::vector<std::vector<Cluster>> clusters;
   for (ClusterGatherer& gatherer : gatherers) clusters.push_back(gatherer.take());
   return clusters;

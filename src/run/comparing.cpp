@@ -35,7 +35,7 @@ CaseComparison::CaseComparison(std::size_t count, const RunOptions& options)
 
 const ExactSide& CaseComparison::exact(std::size_t index, const Scene& scene) {
   std::call_once(made_[index], [&] {
-    exact_[index] = std::make_unique<const ExactSide>(rasterize_without_details(scene, policy_));
+    exact_[index] = std::make_unique<const ExactSide>(rasterize_for_comparison(scene, policy_));
   });
   return *exact_[index];
 }
@@ -64,7 +64,7 @@ Result CaseComparison::compare_with_exact(std::size_t index, const Scene& scene,
   const ExactSide& usual = exact(index, scene);
   const SamplePositions& reported = rendering.sample_positions;
   if (reported.empty() || reported == usual.rendering.sample_positions) return compare_with(usual);
-  const ExactSide own(rasterize_without_details(scene, policy_, reported));
+  const ExactSide own(rasterize_for_comparison(scene, policy_, reported));
   Result result = compare_with(own);
   result.exact_samples = own.samples;
   result.exact_pixels = own.pixels;

@@ -63,10 +63,10 @@ std::vector<Share> shares_of(const CaseStore& cases, std::size_t renderers) {
 }
 
 // Hands out shares to threads: to one thread in order; to several the large ones first, a few at a
-// time, which takes least memory and leaves no large one to the end. Each thread has a stretch of
-// the others, since neighbours repeat the programs and states that its renderers have made already;
-// when it is done, it takes from the end of the longest stretch that is left. Safe to use from
-// several threads.
+// time while there are others, which takes least memory and leaves no large one to the end. Each
+// thread has a stretch of the others, since neighbours repeat the programs and states that its
+// renderers have made already; when it is done, it takes from the end of the longest stretch that
+// is left. Safe to use from several threads.
 class ShareQueue {
  public:
   ShareQueue(std::vector<Share> shares, std::size_t jobs)
@@ -83,18 +83,16 @@ class ShareQueue {
 
   std::size_t size() const { return shares_.size(); }
 
-  // `thread`: from 0, below `jobs`. Nothing if no share may be begun now; the thread then ends.
+  // `thread`: from 0, below `jobs`. Nothing if no share is left.
   std::optional<Share> take(std::size_t thread) {
     const std::lock_guard lock(mutex_);
-    if (next_large_ < large_end_ && large_ < most_large_) {
-      ++large_;
-      return shares_[next_large_++];
-    }
+    if (large_ < most_large_ && next_large_ < large_end_) return take_large();
     Stretch& own = stretches_[thread];
     if (own.left() > 0) return shares_[own.begin++];
     Stretch& longest = *std::ranges::max_element(stretches_, {}, &Stretch::left);
-    if (longest.left() == 0) return std::nullopt;
-    return shares_[--longest.end];
+    if (longest.left() > 0) return shares_[--longest.end];
+    if (next_large_ < large_end_) return take_large();
+    return std::nullopt;
   }
 
   // A share that was taken is done.
@@ -119,9 +117,14 @@ class ShareQueue {
     std::size_t left() const { return end - begin; }
   };
 
+  const Share& take_large() {
+    ++large_;
+    return shares_[next_large_++];
+  }
+
   std::mutex mutex_;
   std::vector<Share> shares_;
-  const std::size_t most_large_;  // at a time
+  const std::size_t most_large_;  // at a time, while others are left
   std::size_t large_ = 0;         // that are being done
   std::size_t next_large_ = 0;
   std::size_t large_end_ = 0;

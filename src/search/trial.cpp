@@ -185,7 +185,7 @@ Result Trial::compare_outcome(const Scene& scene, Outcome outcome) const {
   const RendererFacts facts =
       facts_of(renderer_.info(), options_.profiles.resolved(renderer_.info()));
   // The renderer may have other sample positions; exact then uses these, too.
-  const Rendering exact = rasterize_without_details(scene, policy_, rendering.sample_positions);
+  const Rendering exact = rasterize_for_comparison(scene, policy_, rendering.sample_positions);
   return compare(scene, policy_, exact, rendering, facts);
 }
 
@@ -279,7 +279,7 @@ std::optional<Result> Screen::screened(const Scene& scene, Outcome outcome, bool
   }
   const auto& rendering = std::get<Rendering>(outcome);
   if (coverage_only) return coverage_of(scene, rendering, info);
-  const Rendering exact = rasterize_without_details(scene, resolved_, rendering.sample_positions);
+  const Rendering exact = rasterize_for_comparison(scene, resolved_, rendering.sample_positions);
   const RendererFacts facts{info.subpixel_bits, profiles_.resolved(info)};
   Result result = compare(scene, resolved_, exact, rendering, facts);
   if (result.disagreements.empty() && result.values.empty()) return std::nullopt;

@@ -202,6 +202,13 @@ void carry(Io& io, T& noun) {
   for_each_field<std::remove_const_t<T>>([&](const auto& field) { carry(io, noun.*field.member); });
 }
 
+template <class Io, Of<DerivativeValues> T>
+void carry(Io& io, T& derivatives) {
+  bool has_any = derivatives.has_any();
+  carry(io, has_any);
+  for (std::size_t i = 0; i < kDerivatives && has_any; ++i) carry(io, derivatives[i]);
+}
+
 template <class Io, Of<RendererInfo> T>
 void carry(Io& io, T& info) {
   carry_all(io, info.vendor, info.version, info.device, info.subpixel_bits, info.traits);

@@ -131,16 +131,14 @@ void read_reported(const json& value, const Path& path,
 }
 
 // An object with the derivatives that are reported.
-template <std::size_t N>
-void read_reported(const json& value, const Path& path,
-                   std::array<std::optional<std::array<double, 4>>, N>& derivatives) {
+void read_reported(const json& value, const Path& path, DerivativeValues& derivatives) {
   static const std::vector<const char*> kKeys = [] {
     std::vector<const char*> keys;
     for (const auto& row : kNames<Derivative>) keys.push_back(row.name);
     return keys;
   }();
   require_object(value, path, kKeys);
-  for (std::size_t i = 0; i < N; ++i)
+  for (std::size_t i = 0; i < kDerivatives; ++i)
     if (const json* four = optional_member(value, kKeys[i]))
       read_reported(*four, {path, kKeys[i]}, derivatives[i]);
 }

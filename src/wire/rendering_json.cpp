@@ -53,13 +53,11 @@ void write_reported(Output out, const char* key,
 }
 
 // Writes several as an object of those that are reported.
-template <std::size_t N>
-void write_reported(Output out, const char* key,
-                    const std::array<std::optional<std::array<double, 4>>, N>& derivatives) {
+void write_reported(Output out, const char* key, const DerivativeValues& derivatives) {
   if (!is_reported(derivatives)) return;
   fmt::format_to(out, ",\"{}\":", key);
   char before = '{';
-  for (std::size_t i = 0; i < N; ++i) {
+  for (std::size_t i = 0; i < kDerivatives; ++i) {
     if (!derivatives[i]) continue;
     fmt::format_to(out, "{}\"{}\":", before, kNames<Derivative>[i].name);
     write_numbers(out, *derivatives[i]);

@@ -189,9 +189,9 @@ template <class Numbers>
 void drop_signs(std::optional<Numbers>& numbers) {
   if (numbers) drop_signs_of_zero(*numbers);
 }
-template <class Numbers, std::size_t N>
-void drop_signs(std::array<std::optional<Numbers>, N>& parts) {
-  for (auto& numbers : parts) drop_signs(numbers);
+void drop_signs(DerivativeValues& derivatives) {
+  if (!derivatives.has_any()) return;
+  for (std::size_t i = 0; i < kDerivatives; ++i) drop_signs(derivatives[i]);
 }
 
 }  // namespace

@@ -186,8 +186,8 @@ class Drawing {
       }
       for (auto& one : derivatives) one[2] = one[3] = 0;
     }
-    if (scene_.details.derivatives && one_sample)
-      std::ranges::copy(derivatives, detail.derivatives.begin());
+    for (std::size_t i = 0; i < kDerivatives && scene_.details.derivatives && one_sample; ++i)
+      detail.derivatives[i] = derivatives[i];
     if (scene_.details.any()) {
       fragment.detail = static_cast<int>(rendering_.details.size());
       rendering_.details.push_back(detail);

@@ -211,7 +211,8 @@ TEST_F(Attributes, DetailsAreOnlyWhatWasAsked) {
   for (const bool coordinates : {false, true})
     for (const bool derivatives : {false, true}) {
       const FragmentDetail detail = details_at(given, pixel, {coordinates, derivatives});
-      for (const auto& four : detail.derivatives) EXPECT_EQ(four.has_value(), derivatives);
+      for (std::size_t i = 0; i < kDerivatives; ++i)
+        EXPECT_EQ(detail.derivatives[i].has_value(), derivatives);
       const std::array<double, 4> expected{5.5, 4.5, fragment.depth, 1};
       EXPECT_EQ(detail.coordinates, coordinates ? std::optional(expected) : std::nullopt);
       EXPECT_EQ(detail.derivatives[0].value_or(std::array<double, 4>{})[0] != 0, derivatives);

@@ -155,7 +155,7 @@ TEST(Rasterize, FragmentsOfWhatIsLinearShareADetail) {
   EXPECT_EQ(divided.details.size(), 1 + static_cast<std::size_t>(of_second));
 }
 
-TEST(Rasterize, WithoutDetailsAllElseIsTheSame) {
+TEST(Rasterize, ForComparisonsAllButDetailsIsTheSame) {
   Scene scene = blank_scene(4, 4);
   scene.draws = {draw_of(Primitive::triangles, Interpolation::smooth, ProvokingVertex::last)};
   scene.details = {true, true, false};
@@ -163,7 +163,7 @@ TEST(Rasterize, WithoutDetailsAllElseIsTheSame) {
     scene.target.samples = samples;
     scene.details.derivatives = samples == 1;
     const Rendering all = rasterize(scene, {});
-    const Rendering bare = rasterize_without_details(scene, {});
+    const Rendering bare = rasterize_for_comparison(scene, {});
     EXPECT_FALSE(all.details.empty());
     EXPECT_TRUE(bare.details.empty());
     EXPECT_EQ(bare.pixels, all.pixels);

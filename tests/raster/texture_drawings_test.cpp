@@ -225,9 +225,34 @@ TEST(TextureDrawings, UntexturedDrawsShowTheirColours) {
   Scene plain = scene;
   plain.textures.clear();
   EXPECT_EQ(rendering.pixels, rasterize(plain, {}).pixels);
-  for (const FragmentDetail& detail : rendering.details) {
-    EXPECT_FALSE(detail.texture_coordinates.has_value());
-    EXPECT_FALSE(detail.level_of_detail.has_value());
+  EXPECT_TRUE(scene.details.texture);
+  EXPECT_TRUE(rendering.details.empty());
+}
+
+TEST(TextureDrawings, ComparisonsGetWhatWasLookedUpAndNothingElse) {
+  const Texture texture = chain_of(8, 8, TextureFormat::rgba8, distinct);
+  Scene scene = textured_scene(4, 4, texture, {{0, 0}, {4, 4}, {}, {1, 2}},
+                               sampler_of(Filter::linear, MipFilter::linear));
+  scene.draws.push_back(scene.draws[0]);
+  scene.draws[1].texture.reset();
+  scene.details = {true, true, true};
+  const Rendering all = rasterize(scene, {});
+  const Rendering compared = rasterize_for_comparison(scene, {});
+  ASSERT_EQ(compared.fragments.size(), all.fragments.size());
+  ASSERT_EQ(compared.details.size(), 16U);
+  for (std::size_t i = 0; i < all.fragments.size(); ++i) {
+    const Fragment& f = compared.fragments[i];
+    EXPECT_EQ(f.color, all.fragments[i].color);
+    if (f.primitive > 1) {
+      EXPECT_EQ(f.detail, -1);
+      continue;
+    }
+    const FragmentDetail& known = all.details[static_cast<std::size_t>(all.fragments[i].detail)];
+    const FragmentDetail& kept = compared.details[static_cast<std::size_t>(f.detail)];
+    EXPECT_EQ(kept.texture_coordinates.value(), known.texture_coordinates.value());
+    EXPECT_EQ(kept.level_of_detail.value(), known.level_of_detail.value());
+    EXPECT_TRUE(known.coordinates && !kept.coordinates);
+    EXPECT_TRUE(known.derivatives.has_any() && !kept.derivatives.has_any());
   }
 }
 

@@ -72,7 +72,7 @@ TEST(CaseComparison, SharesWithExactWhereTheSamplesAreTheRenderers) {
   CaseComparison comparison(suite.cases.size(), options);
   SamplePositions elsewhere = comparison.exact(0, asked.scene).rendering.sample_positions;
   for (Point& at : elsewhere) at.x = Fixed::from_integer(1) - at.x;
-  const Rendering drawn = rasterize_without_details(asked.scene, options.policy, elsewhere);
+  const Rendering drawn = rasterize_for_comparison(asked.scene, options.policy, elsewhere);
   const Result result = comparison.compare_outcome(0, asked, drawn, {});
   EXPECT_TRUE(result.disagreements.empty());
   EXPECT_EQ(result.exact_pixels->bytes(), drawn.pixels);

@@ -15,6 +15,15 @@ SCENES = f"{SUITE}/scenes"
 VERDICTS = ["agree", "convention", "permitted", "contested", "violation"]
 MOST_BYTES = 200_000  # of one renderer's result, packed
 
+# Refuses each scene after a while, and notes by which process.
+REFUSING = """import json, os, sys, time
+for line in sys.stdin:
+    open(sys.argv[1], "a").write(f"{os.getpid()}\\n")
+    time.sleep(.05)
+    answer = {"digest": json.loads(line)["digest"], "not_run": "nothing is drawn here"}
+    print(json.dumps(answer), flush=True)
+"""
+
 
 class WholeScenes(CommandTest):
     def test_every_pixel_is_counted_in_little_room(self):
@@ -66,6 +75,17 @@ class WholeScenes(CommandTest):
             for code, component in zip(shown, color):
                 # Each pane's mean is rounded.
                 self.assertAlmostEqual(code, 255 * component, delta=1)
+
+    def test_both_jobs_draw_where_there_are_only_large_scenes(self):
+        """They take much memory, so that a single one is drawn at a time beside smaller ones."""
+        program = self.folder / "slow.py"
+        program.write_text(REFUSING, encoding="utf-8")
+        self.command("run", f"{SCENES}/knot.json", "--jobs", "2", "--no-rerun",
+                     "--against", f"exec:{sys.executable} {program} marks", expect=None)
+        asked = (self.folder / "marks").read_text(encoding="utf-8").split()
+        self.assertGreater(len(asked), 5)
+        self.assertEqual(len(set(asked)), 2)
+        self.assertGreater(min(map(asked.count, set(asked))), len(asked) // 4)
 
     def test_the_knot_is_what_its_script_writes(self):
         meshes = ROOT / "cases" / "meshes"

@@ -20,6 +20,13 @@ bool is_chain(const std::vector<TextureLevel>& levels) {
   });
 }
 
+// Of a fragment of the rendering; null if it has none.
+std::optional<std::array<double, 2>> level_of(const Fragment& fragment,
+                                              const Rendering& rendering) {
+  if (fragment.detail < 0) return std::nullopt;
+  return rendering.details[static_cast<std::size_t>(fragment.detail)].level_of_detail;
+}
+
 }  // namespace
 
 ExactLookups::ExactLookups(const ValueContext& context, const Rendering& exact,
@@ -50,11 +57,6 @@ std::size_t ExactLookups::texture_of(const Fragment& fragment) const {
   return context_.primitive_of(fragment).state->texture->texture;
 }
 
-bool ExactLookups::reports_level(const Fragment& fragment) const {
-  return fragment.detail >= 0 &&
-         rendered_.details[static_cast<std::size_t>(fragment.detail)].level_of_detail.has_value();
-}
-
 // The fragment of exact with the same lookup in the same texels; null if there is none.
 const Fragment* ExactLookups::drawn(const Fragment& fragment) const {
   if (changed_.contains(texture_of(fragment))) return nullptr;
@@ -74,10 +76,16 @@ TexturedPrimitive& ExactLookups::primitive_of(const Fragment& fragment) {
 LookedUp ExactLookups::look_up(const Fragment& fragment) {
   const PixelPosition pixel{fragment.x, fragment.y};
   LookedUp result;
-  if (reports_level(fragment))
-    std::ranges::transform(primitive_of(fragment).queried(pixel), result.level_of_detail.begin(),
-                           middle);
-  if (const Fragment* own = drawn(fragment))
+  const Fragment* const own = drawn(fragment);
+  if (level_of(fragment, rendered_)) {
+    const auto drawn_level = own != nullptr ? level_of(*own, exact_) : std::nullopt;
+    if (drawn_level)
+      result.level_of_detail = *drawn_level;
+    else
+      std::ranges::transform(primitive_of(fragment).queried(pixel), result.level_of_detail.begin(),
+                             middle);
+  }
+  if (own != nullptr)
     result.color = own->color;
   else
     std::ranges::transform(primitive_of(fragment).look_up(pixel).color, result.color.begin(),

@@ -56,7 +56,6 @@ class ExactLookups {
   const Fragment* drawn(const Fragment& fragment) const;
   TexturedPrimitive& primitive_of(const Fragment& fragment);
   std::size_t texture_of(const Fragment& fragment) const;
-  bool reports_level(const Fragment& fragment) const;
 
   const ValueContext& context_;
   const Rendering& exact_;

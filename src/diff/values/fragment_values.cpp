@@ -183,12 +183,6 @@ void blame_depth(const ValueContext& context, const Fragment& fragment, Disagree
     std::tie(d.rule, d.ruling) = std::pair(rule, rule_of(rule).ruling);
 }
 
-// True if both fragments of the primitive report the same values.
-bool report_the_same(const Fragment& a, const Fragment& b) {
-  return a.primitive == b.primitive && a.has_color == b.has_color && a.has_depth == b.has_depth &&
-         a.color == b.color && a.depth == b.depth;
-}
-
 // The fragment with the interpolated values in the colour's place.
 Fragment interpolated(const ValueContext& context, const Rendering& rendered, Fragment fragment) {
   if (!context.primitive_of(fragment).state->texture) return fragment;
@@ -200,10 +194,39 @@ Fragment interpolated(const ValueContext& context, const Rendering& rendered, Fr
   return fragment;
 }
 
+// Finds fragments among exact's, asked in the order of renderings.
+class DrawnFragments {
+ public:
+  DrawnFragments(const ValueContext& context, const Rendering& exact)
+      : context_(context), exact_(exact) {}
+
+  // With the interpolated values in the colour's place. Null: exact has none for this pixel,
+  // primitive and coverage. Valid until the next call.
+  const Fragment* find(const Fragment& fragment) {
+    const std::vector<Fragment>& all = exact_.fragments;
+    while (next_ < all.size() && precedes(all[next_], fragment)) ++next_;
+    if (next_ == all.size() || precedes(fragment, all[next_])) return nullptr;
+    found_ = interpolated(context_, exact_, all[next_]);
+    return &found_;
+  }
+
+ private:
+  const ValueContext& context_;
+  const Rendering& exact_;
+  std::size_t next_ = 0;
+  Fragment found_;
+};
+
+// True if both fragments of the primitive report the same values.
+bool report_the_same(const Fragment& a, const Fragment& b) {
+  return a.primitive == b.primitive && a.has_color == b.has_color && a.has_depth == b.has_depth &&
+         a.color == b.color && a.depth == b.depth;
+}
+
 }  // namespace
 
-void compare_fragment_values(const ValueContext& context, const Rendering& rendered,
-                             Result& result) {
+void compare_fragment_values(const ValueContext& context, const Rendering& exact,
+                             const Rendering& rendered, Result& result) {
   ValueAggregator colors("color", RuleId::attribute_smooth, 9);
   const FollowedLocation followed = followed_location(context, rendered);
   ValueAggregator elsewhere("color", followed.rule, followed.ruling, followed.cause);
@@ -221,6 +244,7 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
     ValueAggregator* depth = nullptr;
   };
   std::vector<Correct> correct_ones(context.primitives.size());
+  DrawnFragments drawn(context, exact);
   for (const Fragment& reported : rendered.fragments) {
     Correct& correct = correct_ones[static_cast<std::size_t>(reported.primitive)];
     if (correct.fragment != nullptr && report_the_same(*correct.fragment, reported)) {
@@ -231,7 +255,7 @@ void compare_fragment_values(const ValueContext& context, const Rendering& rende
     const Draw& draw = *context.primitive_of(reported).state;
     const Fragment f = interpolated(context, rendered, reported);
     const bool textured = draw.texture.has_value();
-    const ValueJudge judge(context, f);
+    const ValueJudge judge(context, f, drawn.find(f));
     const std::size_t before = result.disagreements.size();
     bool is_correct = !textured && judge.asks_alike_everywhere();
     correct = {};
@@ -287,25 +311,27 @@ void add_coordinates(ValueAggregator& aggregator, const Fragment& f, Point exact
 
 }  // namespace
 
-void compare_coordinates(const ValueContext& context, const Rendering& rendered, Result& result) {
+void compare_coordinates(const ValueContext& context, const Rendering& exact,
+                         const Rendering& rendered, Result& result) {
   constexpr RuleId kRule = RuleId::fragment_coordinates;
   const FollowedDepth followed = followed_depth(context, rendered);
   ValueAggregator depths("gl_FragCoord.z", kRule, 17);
   ValueAggregator elsewhere("gl_FragCoord.z", followed.rule, followed.ruling, followed.cause);
   ValueAggregator inverses("gl_FragCoord.w", kRule, 17);
   ValueAggregator places("gl_FragCoord.xy", kRule, 17);
+  DrawnFragments drawn(context, exact);
   for (const Fragment& f : rendered.fragments) {
     if (f.detail < 0) continue;
     const FragmentDetail& detail = rendered.details[static_cast<std::size_t>(f.detail)];
     if (!detail.coordinates) continue;
     const auto& [x, y, z, w] = *detail.coordinates;
     const Point place = context.coordinates_of(f);
-    const bool exact = x == place.x.to_double() && y == place.y.to_double();
+    const bool is_exact = x == place.x.to_double() && y == place.y.to_double();
     const bool anywhere = !context.permitted_coordinates(f).empty();
     const bool inside = x >= f.x && x <= f.x + 1 && y >= f.y && y <= f.y + 1;
-    if (!exact && anywhere && inside) {
+    if (!is_exact && anywhere && inside) {
       add_coordinates(places, f, place, {x, y});
-    } else if (!exact) {
+    } else if (!is_exact) {
       Disagreement d = value_disagreement({f.x, f.y}, f.primitive, kRule, 17);
       d.exact = {place.x.to_double(), place.y.to_double()};
       d.rendered = {x, y};
@@ -316,7 +342,7 @@ void compare_coordinates(const ValueContext& context, const Rendering& rendered,
         d.cause = cause_of(MultisampleSwitch::ignored);
       result.disagreements.push_back(std::move(d));
     }
-    const ValueJudge judge(context, f);
+    const ValueJudge judge(context, f, drawn.find(f));
     const ValueComponent depth = judge.depth(z);
     const ValueComponent inverse = judge.inverse_w(w);
     Fragment reported = f;

@@ -102,13 +102,15 @@ class ValueContext {
 };
 
 // Each appends disagreements (beyond what is permitted) and aggregates (inside it) to `result`.
+// `exact`: drawn under the context's policy.
 
 // Colours and depths, as the renderer reports them per fragment.
-void compare_fragment_values(const ValueContext& context, const Rendering& rendered,
-                             Result& result);
+void compare_fragment_values(const ValueContext& context, const Rendering& exact,
+                             const Rendering& rendered, Result& result);
 
 // gl_FragCoord and derivatives of the colour, if they were requested and reported.
-void compare_coordinates(const ValueContext& context, const Rendering& rendered, Result& result);
+void compare_coordinates(const ValueContext& context, const Rendering& exact,
+                         const Rendering& rendered, Result& result);
 void compare_derivatives(const ValueContext& context, const Rendering& rendered, Result& result);
 
 // Compares the depth buffer, of multisampled targets sample by sample, with the last fragment that

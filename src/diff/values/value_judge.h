@@ -35,6 +35,14 @@ struct ValueComponent {
   }
 };
 
+// The largest absolute value at a vertex.
+inline double largest_of(const Interpolant& f) {
+  double largest = 0;
+  for (int i = 0; i < vertices_of(f.kind); ++i)
+    largest = std::max(largest, f.values[static_cast<std::size_t>(i)].magnitude());
+  return largest;
+}
+
 // From the first to the last fragment of a line's column, pixels; 0 without columns.
 inline Fixed height_of_column(const ScenePrimitive& primitive, const Target& target) {
   if (primitive.kind != PrimitiveKind::line || is_multisampled(*primitive.state, target)) return {};
@@ -76,7 +84,9 @@ inline bool has_lawful_places(const LocationChoice& choice) {
 // Judges one attribute of one fragment, under the policy and under OpenGL.
 class ValueJudge {
  public:
-  ValueJudge(const ValueContext& context, const Fragment& fragment)
+  // `drawn`: the same fragment with what exact drew of the same values, which settles most of them;
+  // null: unknown.
+  ValueJudge(const ValueContext& context, const Fragment& fragment, const Fragment* drawn)
       : primitive_(context.primitive_of(fragment)),
         values_(context.values_of(fragment)),
         place_(pixel_centre(fragment.x, fragment.y)),
@@ -89,6 +99,8 @@ class ValueJudge {
         forgiving_(context.latitude == Latitude::none) {
     if (context.scene.target.samples > 1 || column_ != Fixed())
       place_ = context.place_of(fragment, context.choices.values.locations);
+    else
+      drawn_ = drawn;
     if (context.scene.target.samples == 1) return;
     depth_place_ = context.depth_place_of(fragment, context.choices.values.locations);
     for (const Point corner : context.permitted_places(fragment))
@@ -102,17 +114,11 @@ class ValueJudge {
 
   // `exact`: what question.chosen yields.
   ValueComponent component(Interval exact, const JudgedValue& question, double rendered) const {
+    if (const auto known = settled(exact, question, rendered)) return *known;
     ValueComponent result;
     result.exact = middle(exact);
     result.rendered = rendered;
-    result.permitted = rounded_to_float(exact);
-    // Under a policy without latitude, a correct value is permitted, whatever its formula.
-    if (result.is_correct() && (forgiving_ || !values_.differ)) return result;
     result.range = range_of(question.chosen);
-    if (is_one_rounding_off(exact, question, rendered)) {
-      result.permitted = Interval(to_float(rendered));
-      return result;
-    }
     // A value that is near enough without moving any vertex needs no search over their moves.
     result.permitted = as_reported(question, inexact_at(question.place).value(question.lawful));
     if (result.is_permitted()) return result;
@@ -137,21 +143,24 @@ class ValueJudge {
   }
 
   ValueComponent color(std::size_t c, double rendered) const {
-    ValueComponent result =
-        component(exact_color(c),
-                  {values_.chosen.color[c], values_.lawful.color[c], place_, corners_}, rendered);
+    const JudgedValue question{values_.chosen.color[c], values_.lawful.color[c], place_, corners_};
+    if (drawn_ != nullptr && drawn_->has_color)
+      if (const auto known = settled(drawn_->color[c], question, rendered)) return *known;
+    ValueComponent result = component(exact_color(c), question, rendered);
     if (!result.is_permitted())
       result.permitted = rounded_to_float(with_means(result.permitted, primitive_, values_, c));
     return result;
   }
   ValueComponent depth(double rendered) const {
+    const JudgedValue question{values_.chosen.depth, values_.permitted_depth, depth_place_,
+                               depth_corners_, true};
+    if (drawn_ != nullptr)
+      if (const auto known = settled(drawn_->depth, question, rendered)) return *known;
     const Interval exact =
         depth_is_zero_
             ? 0
             : clamped_depth(values_.chosen, exact_at(depth_place_).value(values_.chosen.depth));
-    return component(
-        exact, {values_.chosen.depth, values_.permitted_depth, depth_place_, depth_corners_, true},
-        rendered);
+    return component(exact, question, rendered);
   }
   ValueComponent inverse_w(double rendered) const {
     ValueComponent result = component(
@@ -165,15 +174,36 @@ class ValueJudge {
   }
 
  private:
+  // A value whose exact number shows already that it is permitted.
+  std::optional<ValueComponent> settled(Interval exact, const JudgedValue& question,
+                                        double rendered) const {
+    return settled(middle(exact), exact.high - exact.low, question, rendered);
+  }
+  // The same by what exact drew: within 2^-48 of the largest value at a vertex, so surely as near
+  // as this.
+  std::optional<ValueComponent> settled(double exact, const JudgedValue& question,
+                                        double rendered) const {
+    return settled(exact, 0x1p-40 * largest_of(question.chosen), question, rendered);
+  }
+  std::optional<ValueComponent> settled(double exact, double error, const JudgedValue& question,
+                                        double rendered) const {
+    ValueComponent result{exact, Interval(to_float(rendered)), rendered};
+    // Under a policy without latitude, a correct value is permitted, whatever its formula.
+    if (result.is_correct() && (forgiving_ || !values_.differ)) return result;
+    if (!is_one_rounding_off(exact, error, question, rendered)) return std::nullopt;
+    result.range = range_of(question.chosen);
+    return result;
+  }
+
   // True for a value that is permitted because the last operation alone may err so far: whatever is
   // permitted holds a part of 10^-5 of the exact value on either side.
-  bool is_one_rounding_off(Interval exact, const JudgedValue& question, double rendered) const {
+  bool is_one_rounding_off(double exact, double error, const JudgedValue& question,
+                           double rendered) const {
     constexpr double kPart = 0.9 * kInexact.relative;
     const bool has_last_operation = !values_.differ && question.lawful.kind != PrimitiveKind::point;
     if (!has_last_operation || (question.is_depth && values_.lawful.clamps_depth)) return false;
-    const double at_most = std::min(std::fabs(exact.low), std::fabs(exact.high)) * kPart;
-    return exact.high - exact.low <= at_most * 0.01 &&
-           std::fabs(to_float(rendered) - middle(exact)) <= at_most;
+    const double at_most = std::fabs(exact) * kPart;
+    return error <= at_most * 0.01 && std::fabs(to_float(rendered) - exact) <= at_most;
   }
 
   Interval exact_color(std::size_t c) const {
@@ -233,6 +263,7 @@ class ValueJudge {
   Point depth_place_;  // of gl_FragCoord.z and gl_FragCoord.w
   PixelPosition pixel_;
   Fixed column_;  // height, of a wide line's
+  const Fragment* drawn_ = nullptr;
   bool depth_is_zero_;
   bool lawful_;  // exact evaluates as the specification does
   // Of the regions where the colour, and gl_FragCoord, may be evaluated.

@@ -77,8 +77,7 @@ struct SampledScene {
     PixelPosition pixel;
     int primitive = 0;
     std::array<double, 4> color{};
-    // dFdx, dFdy, and their fine and coarse forms, if they are reported.
-    std::array<std::optional<std::array<double, 4>>, kDerivatives> derivatives;
+    DerivativeValues derivatives;
   };
   Scene scene;
   std::vector<Sample> samples;

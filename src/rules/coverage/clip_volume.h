@@ -88,12 +88,12 @@ Figure figure_of_seen(const ScenePrimitive& primitive);
 
 // The planes that clip, besides w > 0.
 struct ClipPlanes {
-  bool depth = true;  // near and far
+  bool depth;  // near and far
   // Vertical and horizontal lines of the window, half pixels.
-  int left = 0;
-  int bottom = 0;
-  int right = 0;
-  int top = 0;
+  int left;
+  int bottom;
+  int right;
+  int top;
 };
 
 // The viewport's own sides; those of a clip volume twice as wide and high round the same middle;

@@ -61,6 +61,7 @@ TEST(ExactLookups, OfRenderersThatTellNoLevelAreColours) {
   const Rendering unreported = without_details(exact);
   const auto of_drawn = looked_up(scene, unreported, unreported);
   EXPECT_EQ(of_drawn, looked_up(scene, {}, unreported));
+  EXPECT_EQ(of_drawn, looked_up(scene, exact, unreported));
   ASSERT_EQ(of_drawn.size(), 6 * unreported.fragments.size());
   for (std::size_t i = 0; i < unreported.fragments.size(); ++i) {
     EXPECT_EQ(of_drawn[6 * i], 0u);

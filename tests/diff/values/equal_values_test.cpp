@@ -39,7 +39,7 @@ TEST(EqualValues, AreCorrectInEveryPlainScene) {
   for (int i = 0; i < 4000; ++i) {
     const std::int64_t step = i % 3 == 0 ? Fixed::kOne / 2 : i % 3 == 1 ? Fixed::kOne / 16 : 1;
     const Scene scene = scenes.next({12, step, 4, true});
-    const Rendering exact = rasterize_without_details(scene, {});
+    const Rendering exact = rasterize_for_comparison(scene, {});
     ASSERT_TRUE(has_exact_values(scene, {}, exact, exact)) << i;
     expect_correct_values(scene, exact, i % 17);
     if (HasFailure()) FAIL() << "scene " << i;
@@ -49,7 +49,7 @@ TEST(EqualValues, AreCorrectInEveryPlainScene) {
 TEST(EqualValues, AreCorrectInEveryNamedScene) {
   int known = 0;
   for (const NamedScene& one : named_scenes()) {
-    const Rendering exact = rasterize_without_details(one.scene, {});
+    const Rendering exact = rasterize_for_comparison(one.scene, {});
     if (!has_exact_values(one.scene, {}, exact, exact)) continue;
     ++known;
     expect_correct_values(one.scene, exact, 8);
@@ -67,7 +67,7 @@ TEST(EqualValues, AreCorrectInEveryCaseOfTheSuite) {
     if (!files.deal()) continue;
     for (const Case& one : load_cases(file.file, file.id).cases) {
       if (one.scene.target.samples > 1 || !one.scene.textures.empty()) continue;
-      const Rendering exact = rasterize_without_details(one.scene, {});
+      const Rendering exact = rasterize_for_comparison(one.scene, {});
       if (!has_exact_values(one.scene, {}, exact, exact)) continue;
       ++known;
       smooth += std::ranges::any_of(one.scene.draws, [](const Draw& draw) {
@@ -96,7 +96,7 @@ Answer with_depths() {
   do {
     answer.scene = scenes.next({12, Fixed::kOne / 2, 4, true});
     answer.scene.target.depth = DepthFormat::depth24;
-    answer.exact = rasterize_without_details(answer.scene, {});
+    answer.exact = rasterize_for_comparison(answer.scene, {});
   } while (answer.exact.fragments.empty());
   return answer;
 }

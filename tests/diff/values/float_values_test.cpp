@@ -148,7 +148,8 @@ Rendering float_rendering(const Scene& scene, Rendering rendering, Formula formu
     FragmentDetail& detail = rendering.details[static_cast<std::size_t>(f.detail)];
     detail.coordinates = {f.x + .5, f.y + .5, f.depth,
                           static_cast<double>(primitive.inverse_w(x, y))};
-    std::ranges::copy(differences_at(primitive, f.x, f.y), detail.derivatives.begin());
+    const Differences differences = differences_at(primitive, f.x, f.y);
+    for (std::size_t i = 0; i < kDerivatives; ++i) detail.derivatives[i] = differences[i];
   }
   return stored(scene, std::move(rendering));
 }

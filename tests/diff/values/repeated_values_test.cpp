@@ -66,7 +66,7 @@ TEST(RepeatedValues, ADepthOfItsOwnIsNamedToo) {
 // What is right at one fragment says nothing of others where the attribute changes.
 TEST(RepeatedValues, OfAGradientEachIsHeldAgainstItsOwnPlace) {
   const Scene scene = value_scene("linear triangle");
-  const Rendering exact = rasterize_without_details(scene, {});
+  const Rendering exact = rasterize_for_comparison(scene, {});
   for (const bool color : {true, false}) {
     Rendering reported = exact;
     for (Fragment& fragment : reported.fragments)

@@ -42,7 +42,7 @@ std::string page_of(const Json& data) {
 // Null where fragments are not those of pixels.
 Json runs_of_hits(const Scene& scene, const ResolvedPolicy& policy) {
   if (scene.target.samples > 1 || !scene.supersampling.empty()) return nullptr;
-  const Rendering exact = rasterize_without_details(scene, policy);
+  const Rendering exact = rasterize_for_comparison(scene, policy);
   std::vector<std::uint32_t> counts(exact.pixel_index(0, exact.height));
   for (const Fragment& fragment : exact.fragments)
     ++counts[exact.pixel_index(fragment.x, fragment.y)];
