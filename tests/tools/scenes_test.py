@@ -85,7 +85,6 @@ class WholeScenes(CommandTest):
         asked = (self.folder / "marks").read_text(encoding="utf-8").split()
         self.assertGreater(len(asked), 5)
         self.assertEqual(len(set(asked)), 2)
-        self.assertGreater(min(map(asked.count, set(asked))), len(asked) // 4)
 
     def test_the_knot_is_what_its_script_writes(self):
         meshes = ROOT / "cases" / "meshes"

@@ -23,8 +23,8 @@
 namespace edgecase {
 
 bool begin_program() {
-  // Memory that large scenes take is given back to the system once it is freed; what small ones
-  // take is used again, since clearing each page anew costs more than drawing into it.
+  // Memory that large scenes take is given back to the system once it is freed. What small ones
+  // take is used again: pages that the system gives anew are cleared first.
   mallopt(M_MMAP_THRESHOLD, 1 << 22);
   mallopt(M_TRIM_THRESHOLD, 1 << 24);
   mallopt(M_TOP_PAD, 1 << 19);

@@ -33,6 +33,7 @@ ExactLookups::ExactLookups(const ValueContext& context, const Rendering& exact,
                            const Rendering& rendered)
     : context_(context),
       exact_(exact),
+      drawn_(exact),
       rendered_(rendered),
       stage_(context.scene, context.choices),
       primitives_(context.primitives.size()) {
@@ -58,11 +59,8 @@ std::size_t ExactLookups::texture_of(const Fragment& fragment) const {
 }
 
 // The fragment of exact with the same lookup in the same texels; null if there is none.
-const Fragment* ExactLookups::drawn(const Fragment& fragment) const {
-  if (changed_.contains(texture_of(fragment))) return nullptr;
-  const auto found = std::ranges::lower_bound(exact_.fragments, fragment, precedes);
-  const bool is_there = found != exact_.fragments.end() && !precedes(fragment, *found);
-  return is_there ? &*found : nullptr;
+const Fragment* ExactLookups::drawn(const Fragment& fragment) {
+  return changed_.contains(texture_of(fragment)) ? nullptr : drawn_.find(fragment);
 }
 
 TexturedPrimitive& ExactLookups::primitive_of(const Fragment& fragment) {

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "diff/textures/texture_ways.h"
+#include "diff/values/drawn_fragments.h"
 #include "diff/values/value_diff.h"
 #include "raster/texture_stage.h"
 #include "rules/textures/texel_filter.h"
@@ -53,12 +54,13 @@ class ExactLookups {
   LookedUp look_up(const Fragment& fragment);
 
  private:
-  const Fragment* drawn(const Fragment& fragment) const;
+  const Fragment* drawn(const Fragment& fragment);
   TexturedPrimitive& primitive_of(const Fragment& fragment);
   std::size_t texture_of(const Fragment& fragment) const;
 
   const ValueContext& context_;
   const Rendering& exact_;
+  DrawnFragments drawn_;
   const Rendering& rendered_;
   TextureStage stage_;
   std::set<std::size_t> changed_;  // textures with the renderer's chains in place of exact's

@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "diff/values/drawn_fragments.h"
 #include "diff/values/sample_writers.h"
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
@@ -194,28 +196,14 @@ Fragment interpolated(const ValueContext& context, const Rendering& rendered, Fr
   return fragment;
 }
 
-// Finds fragments among exact's, asked in the order of renderings.
-class DrawnFragments {
- public:
-  DrawnFragments(const ValueContext& context, const Rendering& exact)
-      : context_(context), exact_(exact) {}
-
-  // With the interpolated values in the colour's place. Null: exact has none for this pixel,
-  // primitive and coverage. Valid until the next call.
-  const Fragment* find(const Fragment& fragment) {
-    const std::vector<Fragment>& all = exact_.fragments;
-    while (next_ < all.size() && precedes(all[next_], fragment)) ++next_;
-    if (next_ == all.size() || precedes(fragment, all[next_])) return nullptr;
-    found_ = interpolated(context_, exact_, all[next_]);
-    return &found_;
-  }
-
- private:
-  const ValueContext& context_;
-  const Rendering& exact_;
-  std::size_t next_ = 0;
-  Fragment found_;
-};
+// The fragment as exact drew it, with the interpolated values in the colour's place; none if exact
+// has no such fragment.
+std::optional<Fragment> interpolated_by_exact(const ValueContext& context, const Rendering& exact,
+                                              DrawnFragments& drawn, const Fragment& fragment) {
+  const Fragment* const found = drawn.find(fragment);
+  if (found == nullptr) return std::nullopt;
+  return interpolated(context, exact, *found);
+}
 
 // True if both fragments of the primitive report the same values.
 bool report_the_same(const Fragment& a, const Fragment& b) {
@@ -244,7 +232,7 @@ void compare_fragment_values(const ValueContext& context, const Rendering& exact
     ValueAggregator* depth = nullptr;
   };
   std::vector<Correct> correct_ones(context.primitives.size());
-  DrawnFragments drawn(context, exact);
+  DrawnFragments drawn(exact);
   for (const Fragment& reported : rendered.fragments) {
     Correct& correct = correct_ones[static_cast<std::size_t>(reported.primitive)];
     if (correct.fragment != nullptr && report_the_same(*correct.fragment, reported)) {
@@ -255,7 +243,7 @@ void compare_fragment_values(const ValueContext& context, const Rendering& exact
     const Draw& draw = *context.primitive_of(reported).state;
     const Fragment f = interpolated(context, rendered, reported);
     const bool textured = draw.texture.has_value();
-    const ValueJudge judge(context, f, drawn.find(f));
+    const ValueJudge judge(context, f, interpolated_by_exact(context, exact, drawn, f));
     const std::size_t before = result.disagreements.size();
     bool is_correct = !textured && judge.asks_alike_everywhere();
     correct = {};
@@ -319,7 +307,7 @@ void compare_coordinates(const ValueContext& context, const Rendering& exact,
   ValueAggregator elsewhere("gl_FragCoord.z", followed.rule, followed.ruling, followed.cause);
   ValueAggregator inverses("gl_FragCoord.w", kRule, 17);
   ValueAggregator places("gl_FragCoord.xy", kRule, 17);
-  DrawnFragments drawn(context, exact);
+  DrawnFragments drawn(exact);
   for (const Fragment& f : rendered.fragments) {
     if (f.detail < 0) continue;
     const FragmentDetail& detail = rendered.details[static_cast<std::size_t>(f.detail)];
@@ -342,7 +330,7 @@ void compare_coordinates(const ValueContext& context, const Rendering& exact,
         d.cause = cause_of(MultisampleSwitch::ignored);
       result.disagreements.push_back(std::move(d));
     }
-    const ValueJudge judge(context, f, drawn.find(f));
+    const ValueJudge judge(context, f, interpolated_by_exact(context, exact, drawn, f));
     const ValueComponent depth = judge.depth(z);
     const ValueComponent inverse = judge.inverse_w(w);
     Fragment reported = f;

@@ -225,6 +225,13 @@ double error_in_ulp(double exact, double rendered) {
   return std::fabs(rendered - exact) / float_ulp(std::max(std::fabs(exact), std::fabs(rendered)));
 }
 
+double largest_value(const Interpolant& interpolant) {
+  double largest = 0;
+  for (int v = 0; v < vertices_of(interpolant.kind); ++v)
+    largest = std::max(largest, interpolant.values[static_cast<std::size_t>(v)].magnitude());
+  return largest;
+}
+
 double range_of(const Interpolant& interpolant) {
   const auto count = vertices_of(interpolant.kind);
   const auto [least, largest] =

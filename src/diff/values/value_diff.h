@@ -159,6 +159,8 @@ double float_ulp(double value);
 // The distance of two numbers in units of the last place of the larger; at most 2^24 beside a zero
 // crossing, where the unit of the exact value is hardly defined, or if one of them is infinite.
 double error_in_ulp(double exact, double rendered);
+// The largest absolute value at a vertex.
+double largest_value(const Interpolant& interpolant);
 // Largest less least of the values at the vertices; 0 if float32 could hardly distinguish them.
 double range_of(const Interpolant& interpolant);
 

@@ -35,14 +35,6 @@ struct ValueComponent {
   }
 };
 
-// The largest absolute value at a vertex.
-inline double largest_of(const Interpolant& f) {
-  double largest = 0;
-  for (int i = 0; i < vertices_of(f.kind); ++i)
-    largest = std::max(largest, f.values[static_cast<std::size_t>(i)].magnitude());
-  return largest;
-}
-
 // From the first to the last fragment of a line's column, pixels; 0 without columns.
 inline Fixed height_of_column(const ScenePrimitive& primitive, const Target& target) {
   if (primitive.kind != PrimitiveKind::line || is_multisampled(*primitive.state, target)) return {};
@@ -84,9 +76,9 @@ inline bool has_lawful_places(const LocationChoice& choice) {
 // Judges one attribute of one fragment, under the policy and under OpenGL.
 class ValueJudge {
  public:
-  // `drawn`: the same fragment with what exact drew of the same values, which settles most of them;
-  // null: unknown.
-  ValueJudge(const ValueContext& context, const Fragment& fragment, const Fragment* drawn)
+  // `drawn`: the same fragment as exact drew it, which settles most values; none: unknown.
+  ValueJudge(const ValueContext& context, const Fragment& fragment,
+             const std::optional<Fragment>& drawn)
       : primitive_(context.primitive_of(fragment)),
         values_(context.values_of(fragment)),
         place_(pixel_centre(fragment.x, fragment.y)),
@@ -114,7 +106,8 @@ class ValueJudge {
 
   // `exact`: what question.chosen yields.
   ValueComponent component(Interval exact, const JudgedValue& question, double rendered) const {
-    if (const auto known = settled(exact, question, rendered)) return *known;
+    const double error = exact.high - exact.low;
+    if (const auto known = settled(middle(exact), error, question, rendered)) return *known;
     ValueComponent result;
     result.exact = middle(exact);
     result.rendered = rendered;
@@ -144,8 +137,8 @@ class ValueJudge {
 
   ValueComponent color(std::size_t c, double rendered) const {
     const JudgedValue question{values_.chosen.color[c], values_.lawful.color[c], place_, corners_};
-    if (drawn_ != nullptr && drawn_->has_color)
-      if (const auto known = settled(drawn_->color[c], question, rendered)) return *known;
+    if (drawn_ && drawn_->has_color)
+      if (const auto known = settled_as_drawn(drawn_->color[c], question, rendered)) return *known;
     ValueComponent result = component(exact_color(c), question, rendered);
     if (!result.is_permitted())
       result.permitted = rounded_to_float(with_means(result.permitted, primitive_, values_, c));
@@ -154,8 +147,8 @@ class ValueJudge {
   ValueComponent depth(double rendered) const {
     const JudgedValue question{values_.chosen.depth, values_.permitted_depth, depth_place_,
                                depth_corners_, true};
-    if (drawn_ != nullptr)
-      if (const auto known = settled(drawn_->depth, question, rendered)) return *known;
+    if (drawn_)
+      if (const auto known = settled_as_drawn(drawn_->depth, question, rendered)) return *known;
     const Interval exact =
         depth_is_zero_
             ? 0
@@ -174,17 +167,8 @@ class ValueJudge {
   }
 
  private:
-  // A value whose exact number shows already that it is permitted.
-  std::optional<ValueComponent> settled(Interval exact, const JudgedValue& question,
-                                        double rendered) const {
-    return settled(middle(exact), exact.high - exact.low, question, rendered);
-  }
-  // The same by what exact drew: within 2^-48 of the largest value at a vertex, so surely as near
-  // as this.
-  std::optional<ValueComponent> settled(double exact, const JudgedValue& question,
-                                        double rendered) const {
-    return settled(exact, 0x1p-40 * largest_of(question.chosen), question, rendered);
-  }
+  // A value whose exact number shows already that it is permitted. `error`: at most that of the
+  // number, absolute.
   std::optional<ValueComponent> settled(double exact, double error, const JudgedValue& question,
                                         double rendered) const {
     ValueComponent result{exact, Interval(to_float(rendered)), rendered};
@@ -193,6 +177,13 @@ class ValueJudge {
     if (!is_one_rounding_off(exact, error, question, rendered)) return std::nullopt;
     result.range = range_of(question.chosen);
     return result;
+  }
+
+  // The same for a number that exact drew. It errs by at most 2^-48 of the largest value at a
+  // vertex (raster/attributes.h); 2^-40 of it is on the safe side.
+  std::optional<ValueComponent> settled_as_drawn(double drawn, const JudgedValue& question,
+                                                 double rendered) const {
+    return settled(drawn, 0x1p-40 * largest_value(question.chosen), question, rendered);
   }
 
   // True for a value that is permitted because the last operation alone may err so far: whatever is
@@ -263,7 +254,7 @@ class ValueJudge {
   Point depth_place_;  // of gl_FragCoord.z and gl_FragCoord.w
   PixelPosition pixel_;
   Fixed column_;  // height, of a wide line's
-  const Fragment* drawn_ = nullptr;
+  std::optional<Fragment> drawn_;
   bool depth_is_zero_;
   bool lawful_;  // exact evaluates as the specification does
   // Of the regions where the colour, and gl_FragCoord, may be evaluated.

@@ -58,13 +58,6 @@ bool overlap(Interval a, Interval b) {
   return a.low <= b.high && b.low <= a.high;
 }
 
-double largest_value(const Interpolant& formula) {
-  double largest = 0;
-  for (int v = 0; v < vertices_of(formula.kind); ++v)
-    largest = std::max(largest, formula.values[static_cast<std::size_t>(v)].magnitude());
-  return largest;
-}
-
 // The distance of the rendered component from each candidate's exact value, relative to the largest
 // value at a vertex. False if the candidates are too close to be distinguished.
 bool add_distances(std::span<const Interpolant> formulas, Point sample, double rendered,

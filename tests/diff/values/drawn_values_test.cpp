@@ -5,16 +5,22 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <memory>
 #include <random>
 #include <string>
+#include <vector>
 
+#include "diff/values/drawn_fragments.h"
 #include "diff/values/value_diff.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/diff/values/value_mutants.h"
 #include "tests/raster/random_scenes.h"
+#include "tests/support/judging.h"
 
 namespace edgecase {
 namespace {
@@ -81,21 +87,16 @@ std::string expect_judged_alike(Scene scene, const ResolvedPolicy& policy, Noise
   return with;
 }
 
-Policy policy_with(const std::string& rule, const std::string& alternative, Latitude latitude) {
-  Policy policy;
-  policy.latitude = latitude;
-  policy.rules[rule] = alternative;
-  return policy;
-}
-
 const std::vector<ResolvedPolicy>& policies() {
   static const std::vector<ResolvedPolicy> kPolicies = [] {
     std::vector<ResolvedPolicy> all{ResolvedPolicy{}};
-    for (const Latitude latitude : {Latitude::opengl, Latitude::none}) {
-      all.emplace_back(policy_with("attribute.perspective", "never", latitude));
-      all.emplace_back(policy_with("attribute.positions", "snapped", latitude));
-      all.emplace_back(policy_with("attribute.location", "half-pixel-off", latitude));
-    }
+    for (Policy policy : {policy_with("attribute.perspective", "never"),
+                          policy_with("attribute.positions", "snapped"),
+                          policy_with("attribute.location", "half-pixel-off")})
+      for (const Latitude latitude : {Latitude::opengl, Latitude::none}) {
+        policy.latitude = latitude;
+        all.emplace_back(policy);
+      }
     return all;
   }();
   return kPolicies;
@@ -129,6 +130,26 @@ TEST(DrawnValues, ChangeNoVerdictOfNamedScenes) {
       if (HasFailure()) FAIL() << one.name;
     }
   }
+}
+
+TEST(DrawnFragments, AreFoundInAnyOrder) {
+  Rendering exact = rasterize(value_scene("linear triangle"), {});
+  std::vector<Fragment> asked = exact.fragments;
+  // Every second one is not drawn.
+  for (std::size_t i = 0; i < exact.fragments.size(); ++i)
+    exact.fragments.erase(exact.fragments.begin() + static_cast<std::ptrdiff_t>(i));
+  std::mt19937_64 engine(7);
+  for (int round = 0; round < 20; ++round) {
+    DrawnFragments drawn(exact);
+    for (const Fragment& fragment : asked) {
+      const auto there = std::ranges::find_if(
+          exact.fragments, [&](const Fragment& one) { return cover_alike(one, fragment); });
+      EXPECT_EQ(drawn.find(fragment),
+                there == exact.fragments.end() ? nullptr : std::to_address(there));
+    }
+    std::ranges::shuffle(asked, engine);
+  }
+  EXPECT_EQ(DrawnFragments(Rendering()).find(asked[0]), nullptr);
 }
 
 }  // namespace
