@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <deque>
 #include <future>
+#include <mutex>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -39,17 +41,38 @@ void for_each_index(std::size_t count, const Work& work) {
 
 // Values that threads make in advance, and one thread takes in the order in which they were
 // started. What `make` refers to must live until the value is taken, or until this is destroyed.
+// There is one thread for each processor, since starting one for each value costs as much as making
+// a small one.
 template <class Value>
 class Ahead {
  public:
+  Ahead() = default;
+  Ahead(const Ahead&) = delete;
+  Ahead& operator=(const Ahead&) = delete;
+  // Values that were not taken, and whose making has not begun, are not made.
+  ~Ahead() {
+    {
+      const std::lock_guard lock(mutex_);
+      is_ending_ = true;
+      waiting_.clear();
+    }
+    change_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+  }
+
   bool empty() const { return started_.empty(); }
   // Has every processor enough to do? Then take one before the next is started, for memory's sake.
-  bool is_full() const {
-    return started_.size() >= 2 * std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
-  }
+  bool is_full() const { return started_.size() >= 2 * processors_; }
   template <class Make>
   void start(Make make) {
-    started_.push_back(std::async(std::launch::async, std::move(make)));
+    std::packaged_task<Value()> task(std::move(make));
+    started_.push_back(task.get_future());
+    {
+      const std::lock_guard lock(mutex_);
+      waiting_.push_back(std::move(task));
+    }
+    change_.notify_one();
+    if (threads_.size() < processors_) threads_.emplace_back([this] { work(); });
   }
   // The value that was started first. Throws what its making threw.
   Value take() {
@@ -59,7 +82,25 @@ class Ahead {
   }
 
  private:
+  void work() {
+    while (true) {
+      std::unique_lock lock(mutex_);
+      change_.wait(lock, [&] { return is_ending_ || !waiting_.empty(); });
+      if (waiting_.empty()) return;
+      std::packaged_task<Value()> task = std::move(waiting_.front());
+      waiting_.pop_front();
+      lock.unlock();
+      task();
+    }
+  }
+
+  const std::size_t processors_ = std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
   std::deque<std::future<Value>> started_;
+  std::mutex mutex_;
+  std::condition_variable change_;
+  std::deque<std::packaged_task<Value()>> waiting_;
+  bool is_ending_ = false;
+  std::vector<std::thread> threads_;
 };
 
 // Calls make(i) for each i below `count`, on several threads, and take(i, value) on this one, in

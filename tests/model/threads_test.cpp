@@ -5,9 +5,12 @@
 
 #include <atomic>
 #include <chrono>
+#include <mutex>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace edgecase {
 namespace {
@@ -63,6 +66,31 @@ TEST(Threads, FaultOfMakingIsThrownWhereItsValueWouldBeTaken) {
   EXPECT_THROW(make_in_order(100, make, [&](std::size_t, std::size_t) { ++taken; }),
                std::runtime_error);
   EXPECT_EQ(taken, 16U) << "the eight that were made together are lost";
+}
+
+TEST(Threads, FewThreadsMakeAllValues) {
+  std::mutex mutex;
+  std::set<std::thread::id> makers;
+  make_in_order(
+      1000,
+      [&](std::size_t i) {
+        const std::lock_guard lock(mutex);
+        makers.insert(std::this_thread::get_id());
+        return i;
+      },
+      [](std::size_t, std::size_t) {});
+  EXPECT_LE(makers.size(), std::thread::hardware_concurrency());
+}
+
+TEST(Threads, FaultOfTakingEndsMaking) {
+  std::atomic<std::size_t> made = 0;
+  const auto make = [&](std::size_t i) { return ++made, i; };
+  EXPECT_THROW(make_in_order(1000, make,
+                             [](std::size_t i, std::size_t) {
+                               if (i == 20) throw std::runtime_error("twenty");
+                             }),
+               std::runtime_error);
+  EXPECT_LE(made, 20 + 16 * (std::thread::hardware_concurrency() + 1));
 }
 
 }  // namespace
