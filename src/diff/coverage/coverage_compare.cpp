@@ -44,10 +44,8 @@ class CoverageComparison {
   // For each primitive, the others with which it breaks ruling 5.
   using Partners = std::map<int, std::set<int>>;
 
-  // True if the renderer draws as the specification's own rule does, which leaves no hole.
-  bool draws_by_fill_rule() const {
-    return result_.evidence.empty() && context_.choices.triangles == standard_.triangles;
-  }
+  // True if exact draws triangles by the specification's own rule, which leaves no hole.
+  bool exact_fills_by_rule() const { return context_.choices.triangles == standard_.triangles; }
   const Scene& scene() const { return context_.scene; }
   const Target& target() const { return context_.scene.target; }
   const PrimitiveCoverage& coverage_of(const ScenePrimitive& primitive) const {
@@ -340,9 +338,10 @@ class CoverageComparison {
   // A hole or a double hit on a shared edge turns the disagreements behind it into violations.
   Partners judge_shared_edges() {
     Partners partners;
-    if (draws_by_fill_rule()) return partners;
-    for (const SharedEdgeFault& fault : shared_edge_faults(context_.primitives, context_.coverage,
-                                                           scene(), context_.bits, lawful_)) {
+    if (exact_fills_by_rule() && result_.evidence.empty()) return partners;
+    for (const SharedEdgeFault& fault :
+         shared_edge_faults(context_.primitives, context_.coverage, scene(), context_.bits, lawful_,
+                            exact_fills_by_rule())) {
       partners[fault.first].insert(fault.second);
       partners[fault.second].insert(fault.first);
       const std::string reason = fmt::format(

@@ -280,14 +280,20 @@ std::vector<std::pair<std::size_t, std::size_t>> neighbours(
 std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> primitives,
                                                 std::span<const PrimitiveCoverage> coverage,
                                                 const Scene& scene, int bits,
-                                                const SamplePositions& positions) {
+                                                const SamplePositions& positions,
+                                                bool exact_has_none) {
   std::vector<SharedEdgeFault> faults;
   std::vector<std::optional<Facts>> known(primitives.size());
   const auto facts = [&](std::size_t i) -> const Facts& {
     if (!known[i]) known[i] = facts_of(primitives[i], scene, bits);
     return *known[i];
   };
+  const auto is_as_exact = [&](std::size_t i) {
+    const PrimitiveCoverage& own = coverage[static_cast<std::size_t>(primitives[i].index)];
+    return own.drawn == own.exact;
+  };
   for (const auto& [i, j] : neighbours(primitives)) {
+    if (exact_has_none && is_as_exact(i) && is_as_exact(j)) continue;
     const Facts& one = facts(i);
     const Facts& other = facts(j);
     // Ruling 40 permits fragments of triangles that may be culled to be missing.

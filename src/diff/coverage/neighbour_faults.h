@@ -45,10 +45,13 @@ struct SharedEdgeFault {
 };
 
 // Sorted by first triangle, second triangle, sample, row and column. `bits` as in ruling 4;
-// `positions`: those of the target's samples.
+// `positions`: those of the target's samples. If exact draws as the specification's own rule does,
+// which leaves no fault, set `exact_has_none`: then two triangles drawn as exact draws them are
+// passed over.
 std::vector<SharedEdgeFault> shared_edge_faults(
     std::span<const ScenePrimitive> primitives, std::span<const PrimitiveCoverage> coverage,
-    const Scene& scene, int bits, const SamplePositions& positions = {centre_of_pixel()});
+    const Scene& scene, int bits, const SamplePositions& positions = {centre_of_pixel()},
+    bool exact_has_none = false);
 
 // Pairs of triangles by index in `primitives`, the lower one first, in ascending order: those on
 // opposite sides of a line between two points that are, to the nearest 1/65536 pixel, vertices of

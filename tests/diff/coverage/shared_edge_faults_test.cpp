@@ -70,9 +70,11 @@ Scene crowded_scene(RandomScenes& random, int triangles) {
   return scene;
 }
 
-// Without one fragment in five.
-Rendering thinned(Rendering drawn, RandomScenes& random) {
-  std::erase_if(drawn.fragments, [&](const Fragment&) { return random.below(5) == 0; });
+// Without one fragment in five of the first primitives.
+Rendering thinned(Rendering drawn, RandomScenes& random, int primitives) {
+  std::erase_if(drawn.fragments, [&](const Fragment& fragment) {
+    return fragment.primitive < primitives && random.below(5) == 0;
+  });
   return drawn;
 }
 
@@ -108,9 +110,27 @@ TEST(SharedEdgeFaults, AreThoseOfAllPairsInTheirOrder) {
   for (int i = 0; i < 400; ++i) {
     Scene scene = crowded_scene(random, 12);
     if (i % 2 == 1) scene.draws[static_cast<std::size_t>(random.below(12))].cull = CullMode::back;
-    const Rendering drawn = thinned(rasterize(scene, {}), random);
+    const Rendering drawn = thinned(rasterize(scene, {}), random, 12);
     const Faults all = faults_of_all_pairs(scene, drawn);
     ASSERT_TRUE(std::ranges::equal(faults(scene, drawn), all, is_same)) << i;
+    found += all.size();
+  }
+  EXPECT_GT(found, 200u);
+}
+
+TEST(SharedEdgeFaults, AreNotThoseOfTwoTrianglesThatAreDrawnAsExactDrawsThem) {
+  RandomScenes random(34);
+  std::size_t found = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Scene scene = crowded_scene(random, 12);
+    const auto primitives = primitives_of(scene);
+    const Rendering exact = rasterize(scene, {});
+    const auto coverage =
+        match_coverage(primitives.size(), exact, thinned(exact, random, random.below(6)));
+    const Faults all = shared_edge_faults(primitives, coverage, scene, 8);
+    const Faults fewer =
+        shared_edge_faults(primitives, coverage, scene, 8, {centre_of_pixel()}, true);
+    ASSERT_TRUE(std::ranges::equal(fewer, all, is_same)) << i;
     found += all.size();
   }
   EXPECT_GT(found, 200u);
