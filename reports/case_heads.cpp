@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <tuple>
 #include <utility>
-
-#include "model/threads.h"
 
 namespace edgecase {
 
@@ -16,26 +15,17 @@ std::string_view stem_of(const std::string& id) {
 
 namespace {
 
-struct Head {
-  std::string key;  // that only cases which share all have
-  CaseResults one;
-};
-
-Head head_of(CaseResults one) {
-  Head head;
-  const auto add = [&](std::string_view text) { head.key.append(text).push_back('\0'); };
+// Only cases that share all have the same.
+std::string key_of(const CaseResults& one) {
+  std::string key;
+  const auto add = [&](std::string_view text) { key.append(text).push_back('\0'); };
   add(stem_of(one.id));
   for (const std::string& text : {one.title, one.why, one.file, one.surface, one.spec, one.origin})
     add(text);
   add(fmt::format("{} {} {}", one.width, one.height, one.rules.size()));
   for (const std::string& rule : one.rules) add(rule);
   for (const std::string& tag : one.tags) add(tag);
-  one.pixels = {};
-  one.samples = {};
-  one.figure = {};
-  one.results.clear();
-  head.one = std::move(one);
-  return head;
+  return key;
 }
 
 }  // namespace
@@ -43,12 +33,20 @@ Head head_of(CaseResults one) {
 CaseHeads heads_of(const Results& results) {
   CaseHeads heads;
   std::map<std::string, std::size_t> numbers;  // by what cases share
-  const auto make = [&](std::size_t i) { return head_of(results.cases[i]); };
-  make_in_order(results.cases.size(), make, [&](std::size_t, Head head) {
-    const auto [found, is_new] = numbers.try_emplace(std::move(head.key), heads.list.size());
-    if (is_new) heads.list.push_back(std::move(head.one));
+  const auto number_of = [&](CaseResults one) {
+    const auto [found, is_new] = numbers.try_emplace(key_of(one), heads.list.size());
+    if (is_new) heads.list.push_back(std::move(one));
+    return found->second;
+  };
+  using Place = decltype(std::declval<ShelvedCase>().head_place());
+  std::map<std::tuple<Place, std::string_view, std::string_view>, std::size_t> known;
+  for (std::size_t i = 0; i < results.cases.size(); ++i) {
+    const ShelvedCase& one = results.cases.shelved(i);
+    const auto [found, is_new] =
+        known.try_emplace({one.head_place(), stem_of(one.outline.id), one.outline.surface}, 0);
+    if (is_new) found->second = number_of(one.head());
     heads.of_case.push_back(found->second);
-  });
+  }
   return heads;
 }
 

@@ -18,7 +18,7 @@ std::string_view stem_of(const std::string& id);
 // The heads, and the index of each case's.
 struct CaseHeads {
   std::vector<std::size_t> of_case;
-  std::vector<CaseResults> list;  // the first case of each, without what was drawn and found
+  std::vector<CaseResults> list;  // the first case of each, as ShelvedCase::head
 };
 
 CaseHeads heads_of(const Results& results);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <ostream>
 #include <utility>
 
 #include "reports/page.h"
@@ -77,10 +76,6 @@ std::vector<HtmlFile> html_files(const Results& results, const ReportTexts& text
   page += kPageAfterBlocks;
   files.front() = {name, std::move(page)};
   return files;
-}
-
-void write_html(const Results& results, const ReportTexts& texts, std::ostream& out) {
-  out << html_files(results, texts, "report.html", Beyond::left_out).front().text;
 }
 
 }  // namespace edgecase

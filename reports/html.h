@@ -12,7 +12,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <iosfwd>
 #include <map>
 #include <optional>
 #include <string>
@@ -79,8 +78,5 @@ struct HtmlFile {
 std::vector<HtmlFile> html_files(const Results& results, const ReportTexts& texts,
                                  const std::string& name, Beyond beyond,
                                  std::size_t max_inlined = kMaxInlined);
-
-// The page alone. The caller checks the stream's state afterwards.
-void write_html(const Results& results, const ReportTexts& texts, std::ostream& out);
 
 }  // namespace edgecase

@@ -125,12 +125,11 @@ class Outcomes {
   std::vector<const Outcome*> list_;  // keys of the map
 };
 
-// Indices of the cases in which something differs, the worst first.
-Json order_of(const Results& results) {
+// Indices of the cases of these answers, each once.
+Json cases_of(const std::vector<AnswerPlace>& answers) {
   Json order = Json::array();
   std::set<std::size_t> seen;
-  for (const AnswerPlace& place : worst_first(
-           results, [](const ResultOutline& answer) { return answer.verdict != Verdict::agree; }))
+  for (const AnswerPlace& place : answers)
     if (seen.insert(place.one).second) order.push_back(place.one);
   return order;
 }
@@ -223,12 +222,15 @@ void add_cases(Json& json, const Results& results, const ReportTexts& texts, con
   Outcomes outcomes;
   Json cases = Json::array();
   Json untrue = Json::array();
+  WorstFirst differing;
   const auto add = [&](std::size_t i, const ReadCase& read) {
     const CaseResults& one = read.one;
     Json numbers = Json::array();
     for (std::size_t r = 0; r < one.results.size(); ++r) {
       numbers.push_back(outcomes.number(read.outcomes[r]));
       if (r < sums.size()) sums[r].add(one, one.results[r]);
+      if (r < sums.size() && one.results[r].verdict != Verdict::agree)
+        differing.add({i, r}, one.results[r]);
       if (is_unexpected(one.results[r].standing))
         unexpected.push_back({{i, r}, leading_cluster(one, one.results[r])});
     }
@@ -252,7 +254,7 @@ void add_cases(Json& json, const Results& results, const ReportTexts& texts, con
   json["heads"] = std::move(head_list);
   json["outcomes"] = std::move(outcome_list);
   json["cases"] = std::move(cases);
-  json["order"] = order_of(results);
+  json["order"] = cases_of(differing.take());
   json["untrue"] = std::move(untrue);
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <span>
@@ -74,6 +75,8 @@ class Renderer {
   // Renders every task. A renderer's misbehaviour is a Failure, never an exception. It returns
   // early, with tasks left over, only if `sink` throws.
   virtual void render(std::span<const Task> tasks, const OutcomeSink& sink) = 0;
+  // A digest of the outcome that `sink` is receiving and of the request for it; 0: unknown.
+  virtual std::uint64_t outcome_digest() const { return 0; }
 };
 
 // Renderers with a name of their own: mine=exec:./r is exec:./r, and is called mine in all output.

@@ -131,4 +131,10 @@ struct Result : ResultOutline {
   SampleImage exact_samples;  // exact's, if exact_pixels is set
 };
 
+// True if judging the result takes the whole run, as it does for every difference in coverage.
+// Otherwise the result and the latitude decide (diff/judge.h).
+inline bool depends_on_run(const Result& result) {
+  return !result.disagreements.empty() || !result.evidence.empty();
+}
+
 }  // namespace edgecase

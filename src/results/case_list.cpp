@@ -83,30 +83,59 @@ void carry(Io& io, T& place) {
   carry_all(io, place.x, place.y, place.primitive);
 }
 
-// Places of whole scenes are many, and most of them neighbours in a row: each run of these is one
-// place and its length.
-void carry_places(wire::Writer& io, const std::vector<ValueAggregate::Place>& places) {
+// A number that is mostly near 0, in few bytes: seven bits each, the lowest first, behind a bit for
+// the sign.
+void write_small(wire::Writer& io, std::int64_t value) {
+  auto left = static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63);
+  std::array<std::uint8_t, 10> bytes;
+  std::size_t count = 0;
+  for (; left >= 0x80; left >>= 7) bytes[count++] = static_cast<std::uint8_t>(left | 0x80);
+  bytes[count++] = static_cast<std::uint8_t>(left);
+  io.bytes(bytes.data(), count);
+}
+std::int64_t read_small(wire::Reader& io) {
+  std::uint64_t value = 0;
+  std::uint8_t byte = 0x80;
+  for (int shift = 0; byte >= 0x80; shift += 7) {
+    carry(io, byte);
+    value |= std::uint64_t{byte & 0x7fU} << shift;
+  }
+  return static_cast<std::int64_t>(value >> 1 ^ (0 - (value & 1)));
+}
+
+// Places of whole scenes are many, and most of them neighbours in a row: each run of these is the
+// distance of its place from the end of the run before, and its length.
+using Places = std::vector<ValueAggregate::Place>;
+
+void carry_places(wire::Writer& io, const Places& places) {
   io.size(places.size());
+  ValueAggregate::Place end{0, 0, 0};
   for (std::size_t at = 0; at < places.size();) {
     const ValueAggregate::Place& first = places[at];
-    std::int32_t length = 1;
+    int length = 1;
     for (++at; at < places.size(); ++at, ++length) {
       const ValueAggregate::Place& next = places[at];
       if (next.x != first.x + length || next.y != first.y || next.primitive != first.primitive)
         break;
     }
-    carry_all(io, first, length);
+    for (const std::int64_t number :
+         {std::int64_t{first.x} - end.x, std::int64_t{first.y} - end.y,
+          std::int64_t{first.primitive} - end.primitive, std::int64_t{length}})
+      write_small(io, number);
+    end = {first.x + length, first.y, first.primitive};
   }
 }
-void carry_places(wire::Reader& io, std::vector<ValueAggregate::Place>& places) {
+void carry_places(wire::Reader& io, Places& places) {
   std::uint64_t count = 0;
   carry(io, count);
-  places.reserve(static_cast<std::size_t>(count));
-  while (places.size() < count) {
-    ValueAggregate::Place place;
-    std::int32_t length = 0;
-    carry_all(io, place, length);
-    for (; length > 0; --length, ++place.x) places.push_back(place);
+  places.resize(static_cast<std::size_t>(count));
+  ValueAggregate::Place next{0, 0, 0};
+  for (std::size_t at = 0; at < places.size();) {
+    next.x += static_cast<int>(read_small(io));
+    next.y += static_cast<int>(read_small(io));
+    next.primitive += static_cast<int>(read_small(io));
+    for (std::int64_t length = read_small(io); length > 0 && at < places.size(); --length, ++next.x)
+      places[at++] = next;
   }
 }
 
@@ -155,9 +184,14 @@ void carry_findings(Io& io, T& result, const CaseResults& one) {
 }
 
 template <class Io, class T>
-void carry_case(Io& io, T& one) {
+void carry_head(Io& io, T& one) {
   carry_all(io, one.title, one.why, one.rules, one.spec, one.origin, one.tags, one.file,
             one.file_digest, one.width, one.height, one.viewport);
+}
+
+template <class Io, class T>
+void carry_case(Io& io, T& one) {
+  carry_head(io, one);
   carry_shared(io, one.pixels, {});
   carry_samples(io, one.samples, {});
   carry_all(io, one.fragments, one.figure, one.expect_failures);
@@ -173,6 +207,13 @@ std::string bytes_of(const CaseResults& one) {
   return bytes;
 }
 
+std::string head_bytes_of(const CaseResults& one) {
+  std::string bytes;
+  wire::Writer io(bytes);
+  carry_head(io, one);
+  return bytes;
+}
+
 }  // namespace
 
 CaseOutline outline_of(const CaseResults& one) {
@@ -182,6 +223,7 @@ CaseOutline outline_of(const CaseResults& one) {
           one.surface,
           one.expect_failures.size(),
           has_ramp,
+          std::ranges::any_of(one.results, depends_on_run),
           {one.results.begin(), one.results.end()}};
 }
 
@@ -193,7 +235,20 @@ bool has_details(const CaseOutline& one) {
 }
 
 ShelvedCase::ShelvedCase(const CaseResults& one, std::shared_ptr<Shelf> shelf)
-    : outline(outline_of(one)), shelf_(std::move(shelf)), place_(shelf_->put(bytes_of(one))) {}
+    : outline(outline_of(one)),
+      shelf_(std::move(shelf)),
+      head_(shelf_->put_repeated(head_bytes_of(one))),
+      place_(shelf_->put(bytes_of(one))) {}
+
+CaseResults ShelvedCase::head() const {
+  const std::string bytes = shelf_->at(head_);
+  CaseResults one;
+  one.id = outline.id;
+  one.surface = outline.surface;
+  wire::Reader io(bytes);
+  carry_head(io, one);
+  return one;
+}
 
 CaseResults ShelvedCase::whole() const {
   const std::string bytes = shelf_->at(place_);

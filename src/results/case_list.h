@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -50,6 +51,7 @@ struct CaseOutline {
   std::string surface;
   std::size_t expect_failures = 0;     // hand-drawn truths that exact does not meet
   bool has_ramp = false;               // some answer has (Result::ramp)
+  bool depends_on_run = false;         // some answer does (model/result.h)
   std::vector<ResultOutline> answers;  // by renderer
 };
 
@@ -66,6 +68,10 @@ class ShelvedCase {
 
   // The stored case, with the present answers of the outline. Throws what Shelf::at throws.
   CaseResults whole() const;
+  // The case from its id to its viewport, and where that lies. Cases of a file mostly share it, so
+  // that one place mostly has all of them.
+  CaseResults head() const;
+  std::pair<const Shelf*, std::uint64_t> head_place() const { return {shelf_.get(), head_.begin}; }
   // The approximate memory of whole(), bytes.
   std::size_t bytes() const { return place_.unpacked; }
 
@@ -73,6 +79,7 @@ class ShelvedCase {
 
  private:
   std::shared_ptr<Shelf> shelf_;
+  Shelf::Place head_;
   Shelf::Place place_;
 };
 

@@ -61,36 +61,58 @@ std::vector<const Disagreement*> worst_first(const Result& result) {
   return order;
 }
 
-std::vector<AnswerPlace> worst_first(const Results& results, const WantedAnswer& is_wanted) {
+class WorstFirst::Entries {
+ public:
+  void add(AnswerPlace place, const Result& result) {
+    std::size_t& count = counts_[beginning_of(result, place.renderer)];
+    ++count;
+    sorted_.push_back({place, rank_of(result.verdict), &count});
+  }
+
+  std::vector<AnswerPlace> take() {
+    std::ranges::stable_sort(sorted_, [](const Sorted& a, const Sorted& b) {
+      return std::tuple(a.rank, *b.alike) < std::tuple(b.rank, *a.alike);
+    });
+    std::vector<AnswerPlace> places;
+    for (const Sorted& one : sorted_) places.push_back(one.place);
+    return places;
+  }
+
+ private:
   struct Sorted {
     AnswerPlace place;
     int rank = 0;
     const std::size_t* alike = nullptr;
   };
-  std::map<Beginning, std::size_t> counts;
-  std::vector<Sorted> sorted;
-  const auto beginnings_of = [&](std::size_t i) {
-    std::vector<Beginning> beginnings;
-    if (std::ranges::none_of(results.cases.outline(i).answers, is_wanted)) return beginnings;
-    const CaseResults one = results.cases[i];
-    for (std::size_t r = 0; r < one.results.size() && r < results.renderers.size(); ++r)
-      if (is_wanted(one.results[r])) beginnings.push_back(beginning_of(one.results[r], r));
-    return beginnings;
+  std::map<Beginning, std::size_t> counts_;
+  std::vector<Sorted> sorted_;
+};
+
+WorstFirst::WorstFirst() : entries_(std::make_unique<Entries>()) {}
+
+WorstFirst::~WorstFirst() = default;
+
+void WorstFirst::add(AnswerPlace place, const Result& result) {
+  entries_->add(place, result);
+}
+
+std::vector<AnswerPlace> WorstFirst::take() {
+  return entries_->take();
+}
+
+std::vector<AnswerPlace> worst_first(const Results& results, const WantedAnswer& is_wanted) {
+  WorstFirst order;
+  const auto case_of = [&](std::size_t i) {
+    std::optional<CaseResults> one;
+    if (std::ranges::any_of(results.cases.outline(i).answers, is_wanted)) one = results.cases[i];
+    return one;
   };
-  const auto add = [&](std::size_t i, const std::vector<Beginning>& beginnings) {
-    for (const Beginning& beginning : beginnings) {
-      std::size_t& count = counts[beginning];
-      ++count;
-      sorted.push_back({{i, beginning.renderer}, rank_of(beginning.verdict), &count});
-    }
+  const auto add = [&](std::size_t i, const std::optional<CaseResults>& one) {
+    for (std::size_t r = 0; one && r < one->results.size() && r < results.renderers.size(); ++r)
+      if (is_wanted(one->results[r])) order.add({i, r}, one->results[r]);
   };
-  make_in_order(results.cases.size(), beginnings_of, add);
-  std::ranges::stable_sort(sorted, [](const Sorted& a, const Sorted& b) {
-    return std::tuple(a.rank, *b.alike) < std::tuple(b.rank, *a.alike);
-  });
-  std::vector<AnswerPlace> places;
-  for (const Sorted& one : sorted) places.push_back(one.place);
-  return places;
+  make_in_order(results.cases.size(), case_of, add);
+  return order.take();
 }
 
 namespace {

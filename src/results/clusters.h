@@ -43,6 +43,22 @@ using WantedAnswer = std::function<bool(const ResultOutline&)>;
 // stay in the order of cases and renderers.
 std::vector<AnswerPlace> worst_first(const Results& results, const WantedAnswer& is_wanted);
 
+// The same of answers that come one after the other, in the order of cases and renderers.
+class WorstFirst {
+ public:
+  WorstFirst();
+  ~WorstFirst();
+
+  // An answer that is wanted.
+  void add(AnswerPlace place, const Result& result);
+  // To be called once.
+  std::vector<AnswerPlace> take();
+
+ private:
+  class Entries;
+  std::unique_ptr<Entries> entries_;
+};
+
 struct Cluster {
   std::string rule;                       // id; empty: several, which the cause joins
   std::string kind;                       // "missing"; empty: several, which the cause joins

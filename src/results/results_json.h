@@ -42,10 +42,11 @@
 // renderer was compared with exact with samples elsewhere, are the same with the case's.
 // Multisampled cases and their results have "samples" (results/samples_json.h).
 //
-// A result's "answer_digest" is 16 hexadecimal digits, and absent if it is unknown; "standing" is
-// absent if it is expected. Its "faults" are the ids of the known faults
-// that account for something in it; "again", present for flakes only, is {"verdict", "fingerprint"}
-// of the second answer. Its "pixel_counts" are {"agree", "convention", "permitted", "contested",
+// A result's "answer_digest" is 16 hexadecimal digits, and absent if it is unknown. It is of the
+// answer as it came: the bytes of a worker and the line of its recording have two. Its "standing"
+// is absent if it is expected. Its "faults" are the ids of the known faults that account for
+// something in it; "again", present for flakes only, is {"verdict", "fingerprint"} of the second
+// answer. Its "pixel_counts" are {"agree", "convention", "permitted", "contested",
 // "violation", "same"} (model/result.h), and absent if nothing differs. A disagreement's "upright",
 // present only in answers that are reported as upside down, is {"rule", "ruling", "legality",
 // "cause"} without that (Disagreement::upright). "differing" of values are places

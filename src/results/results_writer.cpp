@@ -90,12 +90,13 @@ Json cluster_json(const Cluster& cluster) {
   return object;
 }
 
+using Gatherers = std::vector<ClusterGatherer>;  // by renderer
+
 // renderer -> its clusters in their order.
-Json clusters_json(const Results& results) {
+Json clusters_json(const std::vector<RendererInfo>& renderers, Gatherers& gatherers) {
   Json json = Json::object();
-  const auto clusters = clusters_of(results);
-  for (std::size_t i = 0; i < results.renderers.size(); ++i)
-    json[results.renderers[i].name] = list(clusters[i], cluster_json);
+  for (std::size_t i = 0; i < renderers.size(); ++i)
+    json[renderers[i].name] = list(gatherers[i].take(), cluster_json);
   return json;
 }
 
@@ -170,14 +171,29 @@ class Divider {
 
 using Take = std::function<void(std::string)>;
 
-// Text is made on all processors, a few parts ahead of what is taken.
-void write_cases(const Results& results, const Take& take) {
-  Ahead<std::string> parts;
+// Text is made on all processors, a few parts ahead of what is taken. The clusters are gathered on
+// the way, while the cases are at hand.
+void write_cases(const Results& results, const Take& take, Gatherers& gatherers) {
+  struct Written {
+    Part part;
+    std::string text;
+  };
+  Ahead<Written> parts;
+  const auto take_first = [&] {
+    Written first = parts.take();
+    take(std::move(first.text));
+    for (const CaseResults& one : first.part.cases)
+      for (std::size_t r = 0; r < std::min(gatherers.size(), one.results.size()); ++r)
+        gatherers[r].add(one, one.results[r]);
+  };
   for (Divider divider(results.cases); !divider.is_at_end();) {
-    if (parts.is_full()) take(parts.take());
-    parts.start(std::bind_front(text_of, divider.next(), std::cref(results.renderers)));
+    if (parts.is_full()) take_first();
+    parts.start([part = divider.next(), &results]() mutable {
+      std::string text = text_of(part, results.renderers);
+      return Written{std::move(part), std::move(text)};
+    });
   }
-  while (!parts.empty()) take(parts.take());
+  while (!parts.empty()) take_first();
 }
 
 Json header_json(const Results& results) {
@@ -192,21 +208,22 @@ Json header_json(const Results& results) {
   return json;
 }
 
-Json end_json(const Results& results) {
+Json end_json(const Results& results, Gatherers& gatherers) {
   Json json = {
       {"end", true}, {"cases", results.cases.size()}, {"interrupted", results.interrupted}};
   if (results.left_out > 0) json["left_out"] = results.left_out;
   json["diagnostics"] = list(results.diagnostics, diagnostic_json);
   json["faults"] = list(results.faults, fault_json);
   json["summary"] = summary_json(results);
-  json["clusters"] = clusters_json(results);
+  json["clusters"] = clusters_json(results.renderers, gatherers);
   return json;
 }
 
 void write_lines(const Results& results, const Take& take) {
   take(dump(header_json(results)) + '\n');
-  write_cases(results, take);
-  take(dump(end_json(results)) + '\n');
+  Gatherers gatherers(results.renderers.size());
+  write_cases(results, take, gatherers);
+  take(dump(end_json(results, gatherers)) + '\n');
 }
 
 }  // namespace

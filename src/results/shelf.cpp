@@ -6,12 +6,15 @@
 #include <unistd.h>
 #include <zstd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <deque>
 #include <limits>
 #include <mutex>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 namespace edgecase {
 namespace {
@@ -48,9 +51,10 @@ struct FreeContext {
 struct Shelf::State {
   std::mutex mutex;
   std::unique_ptr<ZSTD_CCtx, FreeContext> packer{ZSTD_createCCtx()};
-  std::string packed;         // the last bytes that were put
-  std::string latest;         // what the file does not have yet
-  std::uint64_t in_file = 0;  // bytes
+  std::string packed;                                  // the last bytes that were put
+  std::string latest;                                  // what the file does not have yet
+  std::uint64_t in_file = 0;                           // bytes
+  std::deque<std::pair<std::string, Place>> repeated;  // the last of put_repeated
   int file = -1;
 
   ~State() {
@@ -89,6 +93,21 @@ Shelf::Place Shelf::put(std::string_view bytes) {
   const Place place{s.in_file + s.latest.size(), static_cast<std::uint32_t>(size),
                     static_cast<std::uint32_t>(bytes.size())};
   s.latest.append(s.packed, 0, size);
+  return place;
+}
+
+Shelf::Place Shelf::put_repeated(const std::string& bytes) {
+  constexpr std::size_t kMost = 8;  // threads put those of several files in turn
+  State& s = *state_;
+  {
+    const std::lock_guard lock(s.mutex);
+    const auto found = std::ranges::find(s.repeated, bytes, &std::pair<std::string, Place>::first);
+    if (found != s.repeated.end()) return found->second;
+  }
+  const Place place = put(bytes);
+  const std::lock_guard lock(s.mutex);
+  if (s.repeated.size() == kMost) s.repeated.pop_front();
+  s.repeated.emplace_back(bytes, place);
   return place;
 }
 

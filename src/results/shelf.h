@@ -34,6 +34,8 @@ class Shelf {
   // Throws a ShelfError where they cannot be written, and std::runtime_error where they are 2 GiB
   // or more.
   Place put(std::string_view bytes);
+  // The same for bytes that were perhaps put a moment ago: then their place is that of before.
+  Place put_repeated(const std::string& bytes);
   // The stored bytes. Throws a ShelfError if they cannot be read.
   std::string at(const Place& place) const;
 

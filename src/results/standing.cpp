@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/text.h"
+#include "model/threads.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {
@@ -134,8 +135,9 @@ void apply_known_faults(Results& results, std::span<const KnownFaults> known) {
     const KnownFaults* own = faults_about(known, results.renderers[r]);
     std::vector<const KnownFault*> faults;
     if (own != nullptr) faults = faults_of(*own, results.renderers[r]);
-    for (std::size_t i = 0; i < results.cases.size(); ++i)
+    for_each_index(results.cases.size(), [&](std::size_t i) {
       set_standing(results.cases, i, r, faults, results.latitude, results.cases.answer(i, r));
+    });
     if (results.latitude == Latitude::opengl) add_faults_seen(faults, r, results);
   }
 }

@@ -17,6 +17,10 @@
 
 namespace edgecase {
 
+// Of the text of the case's file, which neighbouring cases share: it is taken once for those that a
+// thread asks for in turn. Valid until the thread's next call.
+const std::string& digest_of_source(const Case& one);
+
 // Everything besides the cases that decides on results: the policy, and the profiles of the
 // renderers' releases. Profiles count under their own names, so that a recording has that of its
 // renderer.
@@ -34,7 +38,9 @@ class AnswerDigests {
   // depend on: the sources of the program, the case's file, id and scene, the policy, the
   // renderer's profile and what a comparison knows of it beside that (RendererFacts). Its name and
   // release do not matter. Two comparisons with the same digest find the same. Never 0.
-  std::uint64_t of(const Case& one, const Rendering& rendering, const RendererInfo& info);
+  // `digest`: Renderer::outcome_digest.
+  std::uint64_t of(const Case& one, const Rendering& rendering, const RendererInfo& info,
+                   std::uint64_t digest = 0);
 
  private:
   // Of the program and its rules, and of a profile, which may be null.

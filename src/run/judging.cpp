@@ -14,28 +14,15 @@ namespace {
 
 constexpr const char* kReading = "lines read with snap, ";
 
-}  // namespace
-
-RunReadings read_all(const CaseList& cases) {
-  std::map<ReadingKey, RunReader> readers;
-  make_in_order(
-      cases.size(), [&](std::size_t i) { return cases.whole(i); },
-      [&](std::size_t, const CaseResults& one) {
-        for (std::size_t r = 0; r < one.results.size(); ++r)
-          readers[{r, one.surface}].add(one.results[r]);
-      });
-  RunReadings readings;
-  for (const auto& [key, reader] : readers) readings.emplace(key, reader.reading());
-  return readings;
-}
-
-void judge_all(Results& results) {
-  const RunReadings readings = read_all(results.cases);
+// Judges the cases of whose outlines `is_wanted` is true, and sets the traits.
+template <class Wanted>
+void judge_those(Results& results, const RunReadings& readings, const Wanted& is_wanted) {
   for (RendererInfo& info : results.renderers)
     std::erase_if(info.traits, [](const auto& trait) { return is_of_judging(trait.first); });
   for (const auto& [key, reading] : readings)
     results.renderers[key.first].traits[kReading + key.second] = reading.line_snap;
   for_each_index(results.cases.size(), [&](std::size_t i) {
+    if (!is_wanted(results.cases.outline(i))) return;
     CaseResults one = results.cases[i];
     bool differs = false;
     for (std::size_t r = 0; r < one.results.size(); ++r) {
@@ -47,6 +34,42 @@ void judge_all(Results& results) {
     // If everything agrees, judging changes only the outline.
     if (differs) results.cases.replace(i, one);
   });
+}
+
+}  // namespace
+
+void RunReaders::add(const CaseResults& one) {
+  const std::lock_guard lock(mutex_);
+  for (std::size_t r = 0; r < one.results.size(); ++r)
+    readers_[{r, one.surface}].add(one.results[r]);
+}
+
+RunReadings RunReaders::readings() const {
+  const std::lock_guard lock(mutex_);
+  RunReadings readings;
+  for (const auto& [key, reader] : readers_) readings.emplace(key, reader.reading());
+  return readings;
+}
+
+RunReadings read_all(const CaseList& cases) {
+  RunReaders readers;
+  for_each_index(cases.size(), [&](std::size_t i) { readers.add(cases.whole(i)); });
+  return readers.readings();
+}
+
+void judge_all(Results& results) {
+  judge_those(results, read_all(results.cases), [](const CaseOutline&) { return true; });
+}
+
+void judge_alone(CaseResults& one, Latitude latitude) {
+  for (Result& result : one.results) {
+    Result* const only = &result;
+    if (!depends_on_run(result)) judge({&only, 1}, latitude, {});
+  }
+}
+
+void judge_rest(Results& results, const RunReadings& readings) {
+  judge_those(results, readings, [](const CaseOutline& one) { return one.depends_on_run; });
 }
 
 bool is_of_judging(const std::string& trait) {

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <map>
+#include <mutex>
 #include <span>
 #include <string>
 #include <utility>
@@ -22,12 +23,33 @@ namespace edgecase {
 using ReadingKey = std::pair<std::size_t, std::string>;  // index of the renderer, surface
 using RunReadings = std::map<ReadingKey, RunReading>;
 
-// The reading of each renderer's answers on each surface.
+// The readings of cases that come one after the other, in any order. Safe to use from several
+// threads.
+class RunReaders {
+ public:
+  void add(const CaseResults& one);
+  // The reading of each renderer's answers on each surface.
+  RunReadings readings() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<ReadingKey, RunReader> readers_;
+};
+
+// The same of a list.
 RunReadings read_all(const CaseList& cases);
 
 // Calls judge() for all results, with results.latitude, and sets the renderers' traits that say how
 // lines are read.
 void judge_all(Results& results);
+
+// The same in two steps: each case when it is complete, and then, with the readings of all, those
+// for which the run matters. Most are judged without being read again.
+
+// Judges the results of a case for which the run does not matter (depends_on_run).
+void judge_alone(CaseResults& one, Latitude latitude);
+// Judges the cases with other results, and sets the traits.
+void judge_rest(Results& results, const RunReadings& readings);
 
 // True if judging sets the trait, and not the renderer.
 bool is_of_judging(const std::string& trait);

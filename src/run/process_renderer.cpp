@@ -185,6 +185,7 @@ Outcome ProcessRenderer::attempt_message(const Task& task) {
     child_->forget_message();
     if (const auto* error = std::get_if<WireError>(&parsed)) return refuse(error->message);
     auto& read = std::get<Answer>(parsed);
+    digest_ = read.digest;
     return take(std::move(read.outcome), std::move(read.claims));
   }
   Failure failure = failure_of(status);

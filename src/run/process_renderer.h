@@ -48,6 +48,7 @@ class ProcessRenderer final : public Renderer {
 
   const RendererInfo& info() const override { return info_; }
   void render(std::span<const Task> tasks, const OutcomeSink& sink) override;
+  std::uint64_t outcome_digest() const override { return digest_; }
 
  private:
   Outcome render_one(const Task& task);
@@ -76,6 +77,7 @@ class ProcessRenderer final : public Renderer {
     std::size_t bytes = 0;
   };
   std::deque<Asked> asked_;
+  std::uint64_t digest_ = 0;     // of the last answer, if it was bytes (Answer::digest)
   bool child_answered_ = false;  // this process has answered something
   bool ever_answered_ = false;   // any process has
   int silent_deaths_ = 0;        // processes in a row that ended or hung without any answer

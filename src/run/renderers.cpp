@@ -340,6 +340,7 @@ class RenamedRenderer final : public Renderer {
   void render(std::span<const Task> tasks, const OutcomeSink& sink) override {
     inner_->render(tasks, sink);
   }
+  std::uint64_t outcome_digest() const override { return inner_->outcome_digest(); }
 
  private:
   std::unique_ptr<Renderer> inner_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "run/run.h"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -17,7 +15,6 @@
 #include <utility>
 #include <variant>
 
-#include "model/text.h"
 #include "model/threads.h"
 #include "results/standing.h"
 #include "run/answer_digest.h"
@@ -27,109 +24,13 @@
 #include "run/expectation_check.h"
 #include "run/judging.h"
 #include "run/renderers.h"
+#include "run/share_queue.h"
 
 namespace edgecase {
 namespace {
 
-// The weight of twenty cases of 100x100. Threads end within one slice of each other, and the wait
-// at the end of a slice is a small part of it.
-constexpr SliceLimits kSlice{std::size_t{1} << 18, 20};
-
-// A case of this weight takes a hundred times the memory of a small one.
-constexpr std::size_t kLarge = std::size_t{1} << 17;
-
 // Thrown out of a renderer's sink when the run should end.
 struct Stopped {};
-
-// Cases that one renderer is to draw.
-struct Share {
-  std::size_t renderer = 0;
-  CaseSlice cases;
-  bool is_large = false;
-};
-
-bool is_large(const CaseStore& cases, const CaseSlice& slice) {
-  return slice.end - slice.begin == 1 && cases.weight(slice.begin) >= kLarge;
-}
-
-// All renderers draw a slice, one after the other, before the next one: then few exact renderings
-// wait for the last renderer.
-std::vector<Share> shares_of(const CaseStore& cases, std::size_t renderers) {
-  std::vector<Share> shares;
-  for (const CaseSlice& slice : cut_cases(cases, kSlice))
-    for (std::size_t r = 0; r < renderers; ++r)
-      shares.push_back({r, slice, is_large(cases, slice)});
-  return shares;
-}
-
-// Hands out shares to threads: to one thread in order; to several the large ones first, a few at a
-// time while there are others, which takes least memory and leaves no large one to the end. Each
-// thread has a stretch of the others, since neighbours repeat the programs and states that its
-// renderers have made already; when it is done, it takes from the end of the longest stretch that
-// is left. Safe to use from several threads.
-class ShareQueue {
- public:
-  ShareQueue(std::vector<Share> shares, std::size_t jobs)
-      : shares_(std::move(shares)), most_large_(std::max<std::size_t>(1, jobs / 2)) {
-    if (jobs > 1)
-      large_end_ = static_cast<std::size_t>(
-          std::stable_partition(shares_.begin(), shares_.end(),
-                                [](const Share& share) { return share.is_large; }) -
-          shares_.begin());
-    const std::size_t others = shares_.size() - large_end_;
-    for (std::size_t i = 0; i < jobs; ++i)
-      stretches_.push_back({large_end_ + i * others / jobs, large_end_ + (i + 1) * others / jobs});
-  }
-
-  std::size_t size() const { return shares_.size(); }
-
-  // `thread`: from 0, below `jobs`. Nothing if no share is left.
-  std::optional<Share> take(std::size_t thread) {
-    const std::lock_guard lock(mutex_);
-    if (large_ < most_large_ && next_large_ < large_end_) return take_large();
-    Stretch& own = stretches_[thread];
-    if (own.left() > 0) return shares_[own.begin++];
-    Stretch& longest = *std::ranges::max_element(stretches_, {}, &Stretch::left);
-    if (longest.left() > 0) return shares_[--longest.end];
-    if (next_large_ < large_end_) return take_large();
-    return std::nullopt;
-  }
-
-  // A share that was taken is done.
-  void finish(const Share& share) {
-    const std::lock_guard lock(mutex_);
-    if (!share.is_large) return;
-    if (large_end_ > 0) --large_;
-    malloc_trim(0);  // its memory goes back to the system
-  }
-
-  // Nothing is handed out any more.
-  void close() {
-    const std::lock_guard lock(mutex_);
-    stretches_.assign(stretches_.size(), {});
-    next_large_ = large_end_;
-  }
-
- private:
-  struct Stretch {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-    std::size_t left() const { return end - begin; }
-  };
-
-  const Share& take_large() {
-    ++large_;
-    return shares_[next_large_++];
-  }
-
-  std::mutex mutex_;
-  std::vector<Share> shares_;
-  const std::size_t most_large_;  // at a time, while others are left
-  std::size_t large_ = 0;         // that are being done
-  std::size_t next_large_ = 0;
-  std::size_t large_end_ = 0;
-  std::vector<Stretch> stretches_;  // of the others, by thread
-};
 
 class Run {
  public:
@@ -232,7 +133,7 @@ class Run {
         if (stopped() && std::holds_alternative<Failure>(outcome)) throw Stopped{};
         std::unique_ptr<Answer>& answer = results_[cases[i]][index];
         answer = std::make_unique<Answer>(
-            answer_to(cases[i], asked_cases[i], index, std::move(outcome), renderer.info()));
+            answer_to(cases[i], asked_cases[i], index, std::move(outcome), renderer));
         if (!answer->is_kept)
           count_unexpected(cases[i], asked_cases[i], renderer.info(), answer->result);
         if (--unanswered_[cases[i]] == 0) complete(cases[i], asked_cases[i]);
@@ -249,10 +150,11 @@ class Run {
 
   // Compares what the renderer at `index` gave the case at `at`, unless that was done before.
   Answer answer_to(std::size_t at, const Case& one, std::size_t index, Outcome outcome,
-                   const RendererInfo& info) {
+                   const Renderer& renderer) {
+    const RendererInfo& info = renderer.info();
     std::uint64_t digest = 0;
     if (const auto* rendering = std::get_if<Rendering>(&outcome)) {
-      digest = digests_.of(one, *rendering, info);
+      digest = digests_.of(one, *rendering, info, renderer.outcome_digest());
       if (earlier_ && earlier_->has(one.id, index, digest)) {
         ++kept_;
         return {{}, true};
@@ -301,7 +203,11 @@ class Run {
   void complete(std::size_t index, const Case& answered) {
     const std::vector<std::unique_ptr<Answer>> answers = std::exchange(results_[index], {});
     if (std::ranges::all_of(answers, [](const auto& answer) { return answer->is_kept; })) {
-      shelved_[index].emplace(earlier_->whole(answered.id, shelf_));
+      ShelvedCase kept = earlier_->whole(answered.id, shelf_);
+      CaseResults one = kept.whole();
+      read_and_judge(one);
+      kept.outline = outline_of(one);  // the rest was judged in the same way before
+      shelved_[index].emplace(std::move(kept));
       return;
     }
     CaseResults one = describe(index, answered);
@@ -310,7 +216,14 @@ class Run {
     for (std::size_t r = 0; r < infos_.size(); ++r)
       one.results.push_back(answers[r]->is_kept ? earlier_->result(answered.id, r)
                                                 : std::move(answers[r]->result));
+    read_and_judge(one);
     shelved_[index].emplace(one, shelf_);
+  }
+
+  // While it is at hand.
+  void read_and_judge(CaseResults& one) {
+    readers_.add(one);
+    judge_alone(one, options_.policy.latitude);
   }
 
   CaseResults describe(std::size_t index, const Case& one) {
@@ -325,7 +238,7 @@ class Run {
     result.origin = one.origin;
     result.tags = one.tags;
     result.file = one.file.generic_string();
-    result.file_digest = digest_of_text(*one.source);
+    result.file_digest = digest_of_source(one);
     result.surface = name_of(one.scene.target.surface);
     result.width = exact.width;
     result.height = exact.height;
@@ -362,7 +275,7 @@ class Run {
     results.left_out = suite_.cases.size() - results.cases.size();
     results.interrupted = results.left_out > 0;
     if (options_.kept != nullptr) *options_.kept = kept_;
-    judge_all(results);
+    judge_rest(results, readers_.readings());
     return results;
   }
 
@@ -376,6 +289,7 @@ class Run {
   std::vector<std::vector<std::unique_ptr<Answer>>> results_;
   std::vector<std::atomic<std::size_t>> unanswered_;  // by case: renderers
   std::deque<std::optional<ShelvedCase>> shelved_;    // cases that all have answered
+  RunReaders readers_;                                // of these
   const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
   std::atomic<std::size_t> done_ = 0;
   std::atomic<std::size_t> kept_ = 0;  // answers

@@ -8,6 +8,7 @@
 // that contradict the fragments are refused, with a sentence that says where.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,9 @@ namespace edgecase {
 struct Answer {
   Outcome outcome;                     // a Rendering, or a Failure of kind `unsupported`
   std::optional<RendererInfo> claims;  // the renderer's identity if the line has it, without a name
+  // Of the request and of all that answers it, but for the claims, as bytes (wire/message.h); 0: it
+  // came as a line.
+  std::uint64_t digest = 0;
 };
 
 // The line for a rendering, without a line break at its end. `claims` may be null.

@@ -22,15 +22,21 @@ namespace {
 
 enum class AnswerKind : std::uint8_t { rendering, coverage, refusal };
 
-// FNV-1a over words of eight bytes.
-std::uint64_t digest_of_bytes(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (; !bytes.empty(); bytes.remove_prefix(std::min<std::size_t>(8, bytes.size()))) {
-    std::uint64_t word = bytes.size();
-    std::memcpy(&word, bytes.data(), std::min(sizeof(word), bytes.size()));
+// FNV-1a over words of eight bytes. `before` is the digest of what comes before them.
+std::uint64_t digest_of_bytes(std::string_view bytes, std::uint64_t before = 0xcbf29ce484222325u) {
+  std::uint64_t hash = before;
+  const auto add = [&](std::uint64_t word) {
     hash = (hash ^ word) * 0x100000001b3u;
     hash ^= hash >> 29;
+  };
+  std::uint64_t word = 0;
+  for (; bytes.size() >= sizeof(word); bytes.remove_prefix(sizeof(word))) {
+    std::memcpy(&word, bytes.data(), sizeof(word));
+    add(word);
   }
+  word = bytes.size();
+  std::memcpy(&word, bytes.data(), bytes.size());
+  if (!bytes.empty()) add(word);
   return hash;
 }
 
@@ -116,6 +122,7 @@ Answer read_answer(Reader& io, std::uint64_t digest, const Scene& scene, bool co
   carry(io, kind);
   Answer answer;
   carry(io, answer.claims);
+  answer.digest = digest_of_bytes(io.left(), digest);
   if (kind == AnswerKind::refusal) {
     Failure failure{FailureKind::unsupported, ""};
     carry(io, failure.reason);

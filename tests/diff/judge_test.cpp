@@ -355,5 +355,36 @@ TEST(Judge, AReadingThatDoesNotKnowAnAlternativeSpeaksForNone) {
   EXPECT_EQ(results[0].disagreements[0].cause, b);
 }
 
+// Values that differ, a failure, and agreement: the reading is for coverage.
+TEST(Judge, WhatDoesNotDependOnTheRunIsTheSameUnderEveryReading) {
+  std::deque<Result> results = faulty_run();
+  for (const Result& drawn : drawn_results()) results.push_back(drawn);
+  Result values;
+  values.values.resize(2);
+  values.values[0].differing = {{1, 2, 0}, {2, 2, 0}};
+  values.values[1].differing = {{1, 2, 0}};
+  values.values[1].cause = cause_named("triangle.fill-rule=left-bottom");
+  values.pixel_counts.agree = 16;
+  results.push_back(values);
+  results.emplace_back().failure = Failure{FailureKind::crashed, "signal 11"};
+  const RunReading reading = read_run(pointers(results));
+  int independent = 0;
+  for (const Result& result : results) {
+    if (depends_on_run(result)) continue;
+    ++independent;
+    Result alone = result;
+    Result in_run = result;
+    for (const auto& [judged, with] :
+         {std::pair(&alone, RunReading{}), std::pair(&in_run, reading)}) {
+      Result* const one = judged;
+      judge({&one, 1}, Latitude::opengl, with);
+    }
+    EXPECT_EQ(description_of(alone), description_of(in_run));
+    EXPECT_EQ(alone.pixel_counts, in_run.pixel_counts);
+  }
+  EXPECT_GT(independent, 3);
+  EXPECT_LT(independent, static_cast<int>(results.size()));
+}
+
 }  // namespace
 }  // namespace edgecase

@@ -82,6 +82,58 @@ TEST(CaseList, GivesBackEveryMember) {
   expect_same(one, ShelvedCase(list[0], std::make_shared<Shelf>()).whole());
 }
 
+TEST(CaseList, GivesBackPlacesFarApartAndRunsOfNeighbours) {
+  std::mt19937 random(5);
+  const auto number = [&](int most) {
+    return std::uniform_int_distribution<int>(-most, most)(random);
+  };
+  CaseResults one = filled();
+  std::vector<ValueAggregate::Place>& places = one.results[0].values[0].differing;
+  for (int i = 0; i < 2000; ++i) {
+    const int most = i % 3 == 0 ? 1 : i % 3 == 1 ? 300 : 1 << 29;
+    ValueAggregate::Place place{number(most), number(most), number(most)};
+    for (int length = 1 + i % 4; length > 0; --length, ++place.x) places.push_back(place);
+  }
+  const auto read = list_of({one})[0].results[0].values[0].differing;
+  ASSERT_EQ(read.size(), places.size());
+  for (std::size_t i = 0; i < read.size(); ++i)
+    ASSERT_EQ(std::tie(read[i].x, read[i].y, read[i].primitive),
+              std::tie(places[i].x, places[i].y, places[i].primitive))
+        << i;
+}
+
+TEST(CaseList, HasHeadsWhichCasesOfAFileShare) {
+  CaseResults other = filled();
+  other.id = "lines/b";
+  other.fragments += 1;
+  CaseResults titled = filled();
+  titled.title += " again";
+  const CaseList list = list_of({filled(), other, titled});
+  EXPECT_EQ(list.shelved(0).head_place(), list.shelved(1).head_place());
+  EXPECT_NE(list.shelved(0).head_place(), list.shelved(2).head_place());
+  const CaseResults head = list.shelved(1).head();
+  EXPECT_EQ(head.id, "lines/b");
+  EXPECT_EQ(head.surface, other.surface);
+  EXPECT_EQ(std::tie(head.title, head.why, head.rules, head.spec, head.origin, head.tags),
+            std::tie(other.title, other.why, other.rules, other.spec, other.origin, other.tags));
+  EXPECT_EQ(std::tie(head.file, head.file_digest, head.width, head.height),
+            std::tie(other.file, other.file_digest, other.width, other.height));
+  EXPECT_EQ(head.viewport.has_value(), other.viewport.has_value());
+  EXPECT_TRUE(head.results.empty());
+}
+
+TEST(CaseList, KnowsWhatDependsOnTheRun) {
+  CaseResults one = named("a");
+  EXPECT_FALSE(outline_of(one).depends_on_run);
+  one.results[0].values.resize(1);
+  EXPECT_FALSE(outline_of(one).depends_on_run);
+  one.results[1].evidence.resize(1);
+  EXPECT_TRUE(outline_of(one).depends_on_run);
+  one.results[1].evidence.clear();
+  one.results[1].disagreements.resize(1);
+  EXPECT_TRUE(outline_of(one).depends_on_run);
+}
+
 TEST(CaseList, HasTheOutlinesAtHand) {
   const CaseList list = list_of({filled(), named("b")});
   const CaseOutline& full = list.outline(0);

@@ -89,6 +89,22 @@ TEST(Shelf, PacksAndHoldsNothingAndMoreThanAMegabyteAtOnce) {
   EXPECT_EQ(shelf.at(last), "");
 }
 
+TEST(Shelf, HasOnceWhatWasPutAMomentAgo) {
+  Shelf shelf;
+  const Shelf::Place first = shelf.put_repeated("first");
+  const Shelf::Place second = shelf.put_repeated("second");
+  EXPECT_EQ(shelf.put_repeated("first").begin, first.begin);
+  EXPECT_NE(second.begin, first.begin);
+  EXPECT_NE(shelf.put("first").begin, first.begin);
+  for (int i = 0; i < 100; ++i) {
+    const std::string other = std::to_string(i);
+    EXPECT_EQ(shelf.at(shelf.put_repeated(other)), other);
+  }
+  EXPECT_EQ(shelf.at(shelf.put_repeated("first")), "first");
+  EXPECT_EQ(shelf.at(first), "first");
+  EXPECT_EQ(shelf.at(second), "second");
+}
+
 TEST(Shelf, NamesTheFolderThatIsNotThere) {
   const Folder nowhere("/nowhere/at/all");
   Shelf shelf;

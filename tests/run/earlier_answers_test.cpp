@@ -100,6 +100,19 @@ TEST(AnswerDigests, AreThoseOfAnyReleaseThatIsToldTheSame) {
   EXPECT_EQ(asked.digest(), before);
 }
 
+// Of the bytes of the answer, which nobody has to write again.
+TEST(AnswerDigests, TakeThatOfTheOutcomeWhereItIsKnown) {
+  const Asked asked;
+  const Profiles profiles;
+  AnswerDigests digests(asked.policy, profiles);
+  const auto of = [&](std::uint64_t outcome) {
+    return digests.of(asked.one, asked.rendering, asked.info, outcome);
+  };
+  EXPECT_EQ(of(1), of(1));
+  EXPECT_NE(of(1), of(2));
+  EXPECT_NE(of(1), of(0));
+}
+
 // Results of renderers a and b: a case that both draw right, and one that b draws wrong.
 Results earlier_results() {
   Results results;

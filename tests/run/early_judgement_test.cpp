@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "results/standing.h"
 #include "rules/all_rules.h"
 #include "tests/support/causes.h"
 
@@ -108,6 +109,58 @@ TEST(EarlyJudgement, WithoutLatitude) {
   const KnownFault fault = fault_of(forbidden());
   EXPECT_TRUE(surely(differing(false), &fault, Latitude::none));
   EXPECT_FALSE(surely(Result{}, &fault, Latitude::none));
+}
+
+Result values_only() {
+  Result result;
+  result.values.resize(1);
+  result.values[0].differing.resize(3);
+  return result;
+}
+
+// All that judging decides.
+std::string judgement_of_all(const Results& results) {
+  std::string text;
+  for (const auto& info : results.renderers)
+    for (const auto& [trait, value] : info.traits) text += trait + "=" + value + "\n";
+  for (const CaseResults& one : results.cases)
+    for (const Result& result : one.results) {
+      text += one.id + " " + describe(judgement_of(result)) + " " +
+              std::to_string(result.pixel_counts.permitted);
+      for (const Disagreement& d : result.disagreements)
+        text += " " + std::to_string(static_cast<int>(d.legality)) + text_of(d.cause);
+      text += "\n";
+    }
+  return text;
+}
+
+// Each case when it is complete, and at the end those for which the run matters.
+TEST(Judging, InTwoStepsIsJudgingAtOnce) {
+  std::vector<CaseResults> cases;
+  const std::vector<Result> answers = {differing(true),  values_only(), failed(),
+                                       differing(false), forbidden(),   Result()};
+  for (std::size_t i = 0; i < 2 * answers.size(); ++i) {
+    CaseResults one;
+    one.id = std::to_string(i);
+    one.surface = i < answers.size() ? "fbo" : "window";
+    one.results = {answers[i % answers.size()], answers[(i + i / answers.size()) % answers.size()]};
+    for (Result& result : one.results) result.pixel_counts.agree = 20;
+    cases.push_back(std::move(one));
+  }
+  Results at_once;
+  at_once.renderers.resize(2);
+  Results in_steps = at_once;
+  RunReaders readers;
+  for (CaseResults& one : cases) {
+    at_once.cases.push_back(one);
+    readers.add(one);
+    judge_alone(one, in_steps.latitude);
+    in_steps.cases.push_back(one);
+  }
+  judge_all(at_once);
+  EXPECT_NE(judgement_of_all(at_once), judgement_of_all(in_steps)) << "the second step is empty";
+  judge_rest(in_steps, readers.readings());
+  EXPECT_EQ(judgement_of_all(at_once), judgement_of_all(in_steps));
 }
 
 }  // namespace

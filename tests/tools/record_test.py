@@ -56,6 +56,9 @@ class Record(CommandTest):
                 self.assertEqual(info["traits"]["recorded"], renderer)
                 replayed = renamed(text, "recording:one.rec", renderer)
                 self.assertGreater(len(live["cases"]), 250)
+                # Of the answer as it comes: a worker's are bytes, a recording's lines.
+                for case in (*replayed["cases"], *live["cases"]):
+                    only_result(case).pop("answer_digest", None)
                 for ours, theirs in zip(replayed["cases"], live["cases"]):
                     self.assertEqual(json.dumps(ours), json.dumps(theirs))
                 self.assertEqual(json.dumps(replayed), json.dumps(live))

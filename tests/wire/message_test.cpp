@@ -231,6 +231,31 @@ TEST(AnswerMessages, TellWhoAnswersAndWhyNot) {
   EXPECT_EQ(std::get<Failure>(answer.outcome).kind, FailureKind::unsupported);
 }
 
+TEST(AnswerMessages, HaveADigestOfRequestAndAnswerAndNotOfWhoAnswers) {
+  RendererInfo claims;
+  claims.vendor = "V";
+  const auto digest = [](const Rendering& rendering, std::uint64_t request = kDigest,
+                         const RendererInfo* who = nullptr) {
+    const auto parsed = parse_answer_message(answer_message(request, rendering, false, who),
+                                             request, small_scene(), false);
+    return std::get<Answer>(parsed).digest;
+  };
+  const std::uint64_t usual = digest(two_fragments());
+  EXPECT_NE(usual, 0u);
+  EXPECT_EQ(digest(two_fragments()), usual);
+  EXPECT_EQ(digest(two_fragments(), kDigest, &claims), usual);
+  EXPECT_NE(digest(two_fragments(), kDigest + 1), usual);
+  Rendering other = two_fragments();
+  other.pixels.back() ^= 1;
+  EXPECT_NE(digest(other), usual);
+  other = two_fragments();
+  other.fragments[1].color[2] += 0x1p-30;
+  EXPECT_NE(digest(other), usual);
+  const auto line =
+      parse_answer(answer_line(kLineDigest, two_fragments(), nullptr), kLineDigest, small_scene());
+  EXPECT_EQ(std::get<Answer>(line).digest, 0u) << "a line has none";
+}
+
 std::string refusal_of(const Scene& scene, const Rendering& rendering, bool coverage_only = false,
                        bool asked_for_coverage = false) {
   const auto parsed =

@@ -90,17 +90,23 @@ void remove_scripts(const std::filesystem::path& path, std::size_t count) {
 
 }  // namespace
 
-bool write_html_report(const Results& results, const std::optional<Comparison>& since,
-                       const Generations& generations, const std::string& path, bool all_details) {
+std::vector<HtmlFile> make_html_report(const Results& results,
+                                       const std::optional<Comparison>& since,
+                                       const Generations& generations, const std::string& path,
+                                       bool all_details) {
   ReportTexts texts = texts_of(results, since);
   texts.generations = generations;
+  const bool has_scripts = all_details && path != "-";
+  return html_files(results, texts, std::filesystem::path(path).filename().string(),
+                    has_scripts ? Beyond::in_scripts : Beyond::left_out);
+}
+
+bool write_html_report(const std::vector<HtmlFile>& files, const std::string& path) {
   if (path == "-") {
-    write_html(results, texts, std::cout);
+    std::cout << files.front().text;
     return true;
   }
   const std::filesystem::path page = path;
-  const auto files = html_files(results, texts, page.filename().string(),
-                                all_details ? Beyond::in_scripts : Beyond::left_out);
   bool wrote = true;
   for (const HtmlFile& file : files)
     wrote = write_file(page.parent_path() / file.name, file.text) && wrote;

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <future>
 #include <iostream>
 #include <map>
 #include <utility>
@@ -182,6 +183,11 @@ bool ReportFiles::write(const Results& results) const {
   const FolderLock lock(folders());
   const bool none = is_none_given();
   bool wrote = true;
+  std::future<std::vector<HtmlFile>> page;  // made while the results are written
+  if (!html_path().empty())
+    page = std::async(std::launch::async, [&] {
+      return make_html_report(results, since, generations, html_path(), all_details);
+    });
   const auto add = [&wrote](const std::string& path,
                             const std::function<void(std::ostream&)>& write) {
     wrote = write_one(path, write) && wrote;
@@ -195,8 +201,7 @@ bool ReportFiles::write(const Results& results) const {
   add(markdown, [&](std::ostream& out) { write_markdown_summary(results, out); });
   add(annotations, [&](std::ostream& out) { write_annotations(results, path_in_repository, out); });
   add(csv, [&](std::ostream& out) { write_disagreements_csv(results, out); });
-  if (!html_path().empty())
-    wrote = write_html_report(results, since, generations, html_path(), all_details) && wrote;
+  if (page.valid()) wrote = write_html_report(page.get(), html_path()) && wrote;
   return (triptychs.empty() || write_triptychs(results, triptychs)) && wrote;
 }
 
