@@ -248,7 +248,8 @@ void add_cases(Json& json, const Results& results, const ReportTexts& texts, con
       read.outcomes.push_back({result.verdict, result.standing, findings_of(result)});
     return read;
   };
-  make_in_order(results.cases.size(), read_case, add);
+  make_in_order(results.cases.size(), read_case, add,
+                [&](std::size_t i) { return results.cases.bytes(i); });
   Json outcome_list = outcomes.json(rules);
   json["names"] = rules.list();
   json["heads"] = std::move(head_list);

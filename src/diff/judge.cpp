@@ -269,20 +269,34 @@ bool is_same_pixel(const JudgedPixel& a, const JudgedPixel& b) {
   return a.x == b.x && a.y == b.y;
 }
 
+// The worst difference of a pixel comes first.
+bool comes_first(const JudgedPixel& a, const JudgedPixel& b) {
+  return std::tie(a.y, a.x, b.verdict) < std::tie(b.y, b.x, a.verdict);
+}
+
+// Adds pixels, which mostly are in order already, to others in order.
+void merge_pixels(std::vector<JudgedPixel> more, std::vector<JudgedPixel>& pixels) {
+  if (!std::ranges::is_sorted(more, comes_first)) std::ranges::sort(more, comes_first);
+  std::vector<JudgedPixel> all;
+  all.reserve(pixels.size() + more.size());
+  std::ranges::merge(pixels, more, std::back_inserter(all), comes_first);
+  pixels = std::move(all);
+}
+
 // Every pixel that differs, with its worst legality.
 std::vector<JudgedPixel> judged_pixels(const Result& result, Latitude latitude) {
   std::vector<JudgedPixel> pixels;
   for (const Disagreement& d : result.disagreements)
     pixels.push_back({d.x, d.y, verdict_of(d, latitude)});
+  std::ranges::sort(pixels, comes_first);
   for (const ValueAggregate& values : result.values) {
     const Verdict verdict = verdict_of(values, latitude);
+    std::vector<JudgedPixel> more;
+    more.reserve(values.differing.size());
     for (const ValueAggregate::Place& place : values.differing)
-      pixels.push_back({place.x, place.y, verdict});
+      more.push_back({place.x, place.y, verdict});
+    merge_pixels(std::move(more), pixels);
   }
-  // The worst disagreement of a pixel comes first, and is the one that is kept.
-  std::sort(pixels.begin(), pixels.end(), [](const JudgedPixel& a, const JudgedPixel& b) {
-    return std::tie(a.y, a.x, b.verdict) < std::tie(b.y, b.x, a.verdict);
-  });
   pixels.erase(std::unique(pixels.begin(), pixels.end(), is_same_pixel), pixels.end());
   return pixels;
 }

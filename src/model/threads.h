@@ -104,19 +104,24 @@ class Ahead {
 };
 
 // Calls make(i) for each i below `count`, on several threads, and take(i, value) on this one, in
-// order. Throws what either throws.
-template <class Make, class Take>
-void make_in_order(std::size_t count, const Make& make, const Take& take) {
-  constexpr std::size_t kTogether = 8;  // made by one thread
+// order. Throws what either throws. A thread makes up to eight values together, or fewer if these
+// take a megabyte: bytes(i) is about the memory of a value.
+template <class Make, class Take, class Bytes>
+void make_in_order(std::size_t count, const Make& make, const Take& take, const Bytes& bytes) {
+  constexpr std::size_t kTogether = 8;
+  constexpr std::size_t kEnough = std::size_t{1} << 20;
   using Values = std::vector<std::invoke_result_t<const Make&, std::size_t>>;
   Ahead<Values> ahead;
   std::size_t taken = 0;
   const auto take_first = [&] {
     for (auto& value : ahead.take()) take(taken++, std::move(value));
   };
-  for (std::size_t begin = 0; begin < count; begin += kTogether) {
+  for (std::size_t begin = 0, end = 0; begin < count; begin = end) {
+    std::size_t together = 0;
+    for (; end < count && end < begin + kTogether && together < kEnough; ++end)
+      together += bytes(end);
     if (ahead.is_full()) take_first();
-    ahead.start([begin, end = std::min(begin + kTogether, count), &make] {
+    ahead.start([begin, end, &make] {
       Values values;
       values.reserve(end - begin);
       for (std::size_t i = begin; i < end; ++i) values.push_back(make(i));
@@ -124,6 +129,10 @@ void make_in_order(std::size_t count, const Make& make, const Take& take) {
     });
   }
   while (!ahead.empty()) take_first();
+}
+template <class Make, class Take>
+void make_in_order(std::size_t count, const Make& make, const Take& take) {
+  make_in_order(count, make, take, [](std::size_t) { return std::size_t{0}; });
 }
 
 }  // namespace edgecase

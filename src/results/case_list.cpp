@@ -214,6 +214,15 @@ std::string head_bytes_of(const CaseResults& one) {
   return bytes;
 }
 
+// Places are few bytes only on the shelf.
+std::size_t bytes_of_places(const CaseResults& one) {
+  std::size_t bytes = 0;
+  for (const Result& result : one.results)
+    for (const ValueAggregate& values : result.values)
+      bytes += values.differing.size() * sizeof(ValueAggregate::Place);
+  return bytes;
+}
+
 }  // namespace
 
 CaseOutline outline_of(const CaseResults& one) {
@@ -238,7 +247,8 @@ ShelvedCase::ShelvedCase(const CaseResults& one, std::shared_ptr<Shelf> shelf)
     : outline(outline_of(one)),
       shelf_(std::move(shelf)),
       head_(shelf_->put_repeated(head_bytes_of(one))),
-      place_(shelf_->put(bytes_of(one))) {}
+      place_(shelf_->put(bytes_of(one))),
+      bytes_(place_.unpacked + bytes_of_places(one)) {}
 
 CaseResults ShelvedCase::head() const {
   const std::string bytes = shelf_->at(head_);

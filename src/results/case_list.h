@@ -73,7 +73,7 @@ class ShelvedCase {
   CaseResults head() const;
   std::pair<const Shelf*, std::uint64_t> head_place() const { return {shelf_.get(), head_.begin}; }
   // The approximate memory of whole(), bytes.
-  std::size_t bytes() const { return place_.unpacked; }
+  std::size_t bytes() const { return bytes_; }
 
   CaseOutline outline;
 
@@ -81,6 +81,7 @@ class ShelvedCase {
   std::shared_ptr<Shelf> shelf_;
   Shelf::Place head_;
   Shelf::Place place_;
+  std::size_t bytes_ = 0;
 };
 
 // Iterates over a list by its function that reads one element.
@@ -151,7 +152,7 @@ class CaseList {
     std::erase_if(cases_, [&](const ShelvedCase& one) { return is_unwanted(one.outline); });
   }
 
-  // The approximate memory of a case that is read, bytes.
+  // The approximate memory of a case that is read, bytes: for make_in_order (model/threads.h).
   std::size_t bytes(std::size_t index) const { return cases_[index].bytes(); }
   // The outlines of all, in their order.
   struct Outlines {

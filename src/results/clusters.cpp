@@ -111,7 +111,8 @@ std::vector<AnswerPlace> worst_first(const Results& results, const WantedAnswer&
     for (std::size_t r = 0; one && r < one->results.size() && r < results.renderers.size(); ++r)
       if (is_wanted(one->results[r])) order.add({i, r}, one->results[r]);
   };
-  make_in_order(results.cases.size(), case_of, add);
+  make_in_order(results.cases.size(), case_of, add,
+                [&](std::size_t i) { return results.cases.bytes(i); });
   return order.take();
 }
 
@@ -282,7 +283,8 @@ std::vector<std::vector<Cluster>> clusters_of(const Results& results) {
     for (std::size_t r = 0; r < std::min(gatherers.size(), one->results.size()); ++r)
       gatherers[r].add(*one, one->results[r]);
   };
-  make_in_order(results.cases.size(), case_of, add);
+  make_in_order(results.cases.size(), case_of, add,
+                [&](std::size_t i) { return results.cases.bytes(i); });
   std::vector<std::vector<Cluster>> clusters;
   for (ClusterGatherer& gatherer : gatherers) clusters.push_back(gatherer.take());
   return clusters;

@@ -60,6 +60,18 @@ TEST(Threads, FewValuesWaitToBeTaken) {
   EXPECT_LE(most, 16 * (std::thread::hardware_concurrency() + 1));
 }
 
+TEST(Threads, FewLargeValuesWaitToBeTaken) {
+  constexpr std::size_t kLarge = std::size_t{1} << 20;
+  std::atomic<std::size_t> made = 0;
+  std::size_t most = 0;
+  make_in_order(
+      200, [&](std::size_t i) { return ++made, i; },
+      [&](std::size_t i, std::size_t) { most = std::max(most, made - i); },
+      [](std::size_t) { return kLarge; });
+  EXPECT_EQ(made, 200U);
+  EXPECT_LE(most, 2 * std::thread::hardware_concurrency() + 1);
+}
+
 TEST(Threads, FaultOfMakingIsThrownWhereItsValueWouldBeTaken) {
   std::size_t taken = 0;
   const auto make = [](std::size_t i) { return i < 20 ? i : throw std::runtime_error("twenty"); };
