@@ -91,8 +91,11 @@ Programs link_form(const GladGLContext& gl, const std::string& at, const std::st
                    std::string& log) {
   Programs programs;
   const std::string version = head_of_fragments(gl);
-  const std::string capture = (has_storage_blocks(gl) ? kStorage : kWords) + head + kCaptureShader;
-  programs.color = link(gl, at, version, head + kColorShader, log);
+  const std::string color = head + kInputs + kColorShader;
+  const std::string capture =
+      (has_storage_blocks(gl) ? kStorage : kWords) + head + kInputs + kCaptureShader;
+  programs.color = link(gl, at, version, color, log);
+  programs.timed = link(gl, at, version, kTimed + color, log);
   programs.capture = link(gl, at, version, capture, log);
   if (!log.empty()) return programs;
   // Details include fine and coarse derivatives if the driver compiles them.
@@ -128,7 +131,8 @@ std::string refusal(const std::string& log) {
 std::variant<Programs, ProgramError> make_programs(const GladGLContext& gl) {
   std::string log;
   Programs programs = link_form(gl, kAtCenter, "", log);
-  programs.count = link(gl, kAtCenter, head_of_fragments(gl), kCountShader, log);
+  programs.count =
+      link(gl, kAtCenter, head_of_fragments(gl), std::string(kInputs) + kCountShader, log);
   if (!log.empty()) return ProgramError{refusal(log)};
   return programs;
 }
@@ -138,7 +142,7 @@ std::variant<Programs, ProgramError> make_sampled_programs(const GladGLContext& 
   const std::string at = head_of(location);
   std::string log;
   Programs programs = link_form(gl, at, kSamples, log);
-  programs.count = link(gl, at, head_of_fragments(gl), kSampledCountShader, log);
+  programs.count = link(gl, at, head_of_fragments(gl), std::string(kInputs) + kCountShader, log);
   if (!log.empty()) return ProgramError{refusal(log)};
   return programs;
 }

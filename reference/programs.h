@@ -2,7 +2,7 @@
 //
 // The GL programs, compiled once: a program per case would cost more than all drawing.
 //
-// Four programs serve every scene without textures. Textured scenes have programs by the form of
+// A few programs serve every scene without textures. Textured scenes have programs by the form of
 // each draw's lookup, made on first use. Each has one lookup: llvmpipe recompiles a shader for each
 // state of a sampler, and one with every kind of lookup takes three times as long.
 //
@@ -10,10 +10,10 @@
 // use: the qualifiers centroid and sample are part of a shader's text, and reading gl_SampleMaskIn
 // would slow all other scenes.
 //
-// All share one vertex shader, so that every pass rasterizes the same primitives. Differences
-// between draws are uniforms or vertex attributes. The primitive's number is a flat attribute,
-// reference/vertex_data.h: gl_PrimitiveID makes a shader draw nothing on one driver and is garbage
-// on another.
+// All share one vertex shader and the inputs of the fragment shader, so that every pass rasterizes
+// the same primitives. Differences between draws are uniforms or vertex attributes. The primitive's
+// number is a flat attribute, reference/vertex_data.h: gl_PrimitiveID makes a shader draw nothing
+// on one driver and is garbage on another.
 //
 // Derivatives are taken of the colour that the uniform chose, before anything else: in uniform
 // control flow, where they are defined (GLSL 4.60, 8.14.1). In a textured draw, that attribute is
@@ -56,6 +56,7 @@ constexpr GLuint kLimitsUnit = 2;
 
 struct Programs {
   GlProgram color;  // writes the fragment's colour
+  GlProgram timed;  // the same at the least cost: what benchmarks draw with
   GlProgram count;  // writes the step to red; in multisampled scenes, alpha as well
   // Writes the colour, and appends a record: see reference/capture.h. Without storage blocks it
   // writes a part of the record instead of the colour: see reference/word_capture.h.
@@ -79,11 +80,11 @@ struct ProgramError {
   std::string message;
 };
 
-// Compiles the four programs for scenes without textures. The context must be current and have at
+// Compiles the programs for scenes without textures. The context must be current and have at
 // least GL 3.3 or GL ES 3.0.
 std::variant<Programs, ProgramError> make_programs(const GladGLContext& gl);
 
-// Compiles the four programs for multisampled scenes. Their records include the covered samples,
+// Compiles the programs for multisampled scenes. Their records include the covered samples,
 // and their count program writes the colour's alpha, on which alpha to coverage depends.
 std::variant<Programs, ProgramError> make_sampled_programs(const GladGLContext& gl,
                                                            AttributeLocation location);

@@ -194,9 +194,7 @@ void SceneRenderer::draw_all(const Scene& scene, const Pass& pass) {
       gl_.BlendFunc(GL_ONE, GL_ONE);
       gl_.Uniform1f(program.location(kStepUniform), pass.step);
     }
-    // Hits depend on colours if alpha determines the covered samples.
-    if (!pass.counts() || is_multisampled(scene))
-      gl_.Uniform1i(program.location(kInterpolationUniform), to_uniform(draw.interpolation));
+    gl_.Uniform1i(program.location(kInterpolationUniform), to_uniform(draw.interpolation));
     if (pass.capture != nullptr)
       gl_.Uniform1ui(program.location(kCapacityUniform), pass.capture->capacity());
     else if (pass.writes_all() && !pass.counts())

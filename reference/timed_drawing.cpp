@@ -18,7 +18,7 @@ std::variant<DrawingTime, std::string> SceneRenderer::time_drawing(const Scene& 
   if (const auto* failure = std::get_if<Failure>(&prepared)) return failure->reason;
   const Surfaces& surfaces = std::get<Surfaces>(prepared);
   upload(scene);
-  const Pass pass{.program = &Programs::color, .looks_up = looks_up, .finishes = by_draw};
+  const Pass pass{.program = &Programs::timed, .looks_up = looks_up, .finishes = by_draw};
   DrawingTime time;
   Rendering last;
   last.width = scene.target.width;

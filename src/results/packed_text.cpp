@@ -164,7 +164,9 @@ std::vector<std::uint8_t> to_picture(std::string_view text, int width, int heigh
 
 std::string packed_places(std::vector<Place> places) {
   std::string text;
-  std::stable_sort(places.begin(), places.end(), reads_before);
+  // Most are in order already.
+  if (!std::ranges::is_sorted(places, reads_before))
+    std::stable_sort(places.begin(), places.end(), reads_before);
   int row = -1;
   int next = 0;
   for (std::size_t at = 0; at < places.size();) {
