@@ -74,8 +74,9 @@ void main() {
 // The inputs of all fragment shaders. They are the same, and each uses all of them, since llvmpipe
 // compiles what it sets triangles up with anew for other inputs, and for each polygon offset: a
 // scene has one such program instead of one for each pass, and is set up alike in all of them. No
-// primitive has a number below 0, so that gl_FragCoord is never drawn. What is TIMED has only the
-// inputs that it needs: others take llvmpipe up to 1.5 times as long.
+// vertex has a number below kNoPrimitive (reference/vertex_data.h), so that gl_FragCoord is never
+// drawn. What is TIMED has only the inputs that it needs: others take llvmpipe up to 1.5 times as
+// long.
 constexpr const char* kInputs = R"(
 flat in vec4 flat_color;
 smooth AT in vec4 smooth_color;
@@ -88,7 +89,7 @@ vec4 interpolated() {
 #ifdef TIMED
   return color;
 #else
-  return primitive_index < 0 ? gl_FragCoord : color;
+  return primitive_index < -1 ? gl_FragCoord : color;
 #endif
 }
 )";
@@ -110,7 +111,7 @@ layout(location = 2) uniform float hit_step;
 layout(location = 0) out vec4 target;
 void main() {
   vec4 color = interpolated();
-  target = primitive_index < 0 ? color : vec4(hit_step, 0.0, 0.0, color.a);
+  target = primitive_index < -1 ? color : vec4(hit_step, 0.0, 0.0, color.a);
 }
 )";
 

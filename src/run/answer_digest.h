@@ -38,9 +38,9 @@ class AnswerDigests {
   // depend on: the sources of the program, the case's file, id and scene, the policy, the
   // renderer's profile and what a comparison knows of it beside that (RendererFacts). Its name and
   // release do not matter. Two comparisons with the same digest find the same. Never 0.
-  // `digest`: Renderer::outcome_digest.
+  // `outcome_digest`: Renderer::outcome_digest.
   std::uint64_t of(const Case& one, const Rendering& rendering, const RendererInfo& info,
-                   std::uint64_t digest = 0);
+                   std::uint64_t outcome_digest = 0);
 
  private:
   // Of the program and its rules, and of a profile, which may be null.
