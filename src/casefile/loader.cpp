@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -176,12 +177,17 @@ class Expansion {
         textures_(origin.file) {}
 
   std::vector<Case> run();
+  // The names of all cases, and the first one; nothing if that one has faults.
+  std::optional<FileOutline> outline();
   // Reads the file as written, to find other faults although its sweep is unusable.
   void read_as_written();
 
  private:
-  void expand(const Combination& combination);
-  void expand_images(const CaseFields& fields, const Combination& combination);
+  CaseName name_of(const Combination& combination, const Image& image) const;
+  // Adds a combination's case and the given images of it.
+  void expand(const Combination& combination, std::span<const Image> images);
+  void expand_images(const CaseFields& fields, const Combination& combination,
+                     std::span<const Image> images);
   Case make_case(const CaseFields& fields, const Combination& combination, const Image& image,
                  Findings& findings);
   void gather_notes(Findings& findings);
@@ -203,7 +209,8 @@ class Expansion {
 std::vector<Case> Expansion::run() {
   const std::vector<Combination> combinations = all_combinations(plan_.sweep);
   std::size_t read = 0;
-  for (; read < combinations.size() && !sheet_.full(); ++read) expand(combinations[read]);
+  for (; read < combinations.size() && !sheet_.full(); ++read)
+    expand(combinations[read], plan_.variants.images);
   if (sheet_.empty()) check_conditions();
   sheet_.move_to(findings_, read);
   if (read < combinations.size())
@@ -212,6 +219,17 @@ std::vector<Case> Expansion::run() {
                               combinations.size()),
                   "put the other faults right first");
   return std::move(cases_);
+}
+
+std::optional<FileOutline> Expansion::outline() {
+  const std::vector<Combination> combinations = all_combinations(plan_.sweep);
+  expand(combinations.front(), {});
+  if (!sheet_.empty()) return std::nullopt;
+  FileOutline outline{{}, std::move(cases_.front())};
+  for (const Combination& combination : combinations)
+    for (const Image& image : plan_.variants.images)
+      outline.names.push_back(name_of(combination, image));
+  return outline;
 }
 
 void Expansion::read_as_written() {
@@ -224,7 +242,14 @@ void Expansion::read_as_written() {
     read_drawing(expect->child(i), unknown, origin_.file.parent_path(), findings_);
 }
 
-void Expansion::expand(const Combination& combination) {
+CaseName Expansion::name_of(const Combination& combination, const Image& image) const {
+  CaseName name{origin_.id, parts_of(plan_.sweep, combination)};
+  if (image.kind != VariantKind::none) name.parts.push_back(image.part());
+  for (const std::string& part : name.parts) name.id += ":" + part;
+  return name;
+}
+
+void Expansion::expand(const Combination& combination, std::span<const Image> images) {
   JsonNode tree = scene_;
   Findings findings(findings_.file());
   substitute(plan_.sweep, combination, tree, findings);
@@ -237,11 +262,12 @@ void Expansion::expand(const Combination& combination) {
   sheet_.add(findings.take(), fmt::format("{}", fmt::join(base.parts, ", ")));
   if (!sound) return;
   cases_.push_back(std::move(base));
-  expand_images(fields, combination);
+  expand_images(fields, combination, images);
 }
 
-void Expansion::expand_images(const CaseFields& fields, const Combination& combination) {
-  for (const Image& image : plan_.variants.images) {
+void Expansion::expand_images(const CaseFields& fields, const Combination& combination,
+                              std::span<const Image> images) {
+  for (const Image& image : images) {
     if (image.kind == VariantKind::none) continue;
     Findings findings(findings_.file());
     Case made = make_case(fields, combination, image, findings);
@@ -254,10 +280,9 @@ Case Expansion::make_case(const CaseFields& fields, const Combination& combinati
                           const Image& image, Findings& findings) {
   Case result = fields.words;
   result.file = origin_.file;
-  result.parts = parts_of(plan_.sweep, combination);
-  if (image.kind != VariantKind::none) result.parts.push_back(image.part());
-  result.id = origin_.id;
-  for (const std::string& part : result.parts) result.id += ":" + part;
+  CaseName name = name_of(combination, image);
+  result.id = std::move(name.id);
+  result.parts = std::move(name.parts);
   TargetFields target = fields.target;
   std::vector<DrawFields> draws = fields.draws;
   if (fields.draws_place) apply_image(image, target, draws, *fields.draws_place, findings);
@@ -295,17 +320,23 @@ void Expansion::check_conditions() {
                     "name values that occur together");
 }
 
+// The expansion of a file whose plan has no fault. `of_plan` gets the faults and notes of the plan.
+Expansion expansion_of(const JsonNode& root, const CaseOrigin& origin, Findings& of_plan,
+                       Findings& findings) {
+  Plan plan = read_plan(root, of_plan);
+  if (of_plan.empty()) check_size(plan, root, origin.text.size(), of_plan);
+  return {root, origin, std::move(plan), findings};
+}
+
 // All cases of a file: combinations in the order of the sweep, the last axis fastest, each followed
 // by its images. Faults are reported once, with the axes' values unless every combination has them.
 // The result is incomplete if there are findings.
 std::vector<Case> expand_cases(const JsonNode& root, const CaseOrigin& origin, Findings& findings) {
   Findings of_plan(findings.file());
-  Plan plan = read_plan(root, of_plan);
-  if (of_plan.empty()) check_size(plan, root, origin.text.size(), of_plan);
+  Expansion expansion = expansion_of(root, origin, of_plan, findings);
   const bool sound = of_plan.empty();
   for (Diagnostic& note : of_plan.take_notes()) findings.note(std::move(note));
   for (Diagnostic& fault : of_plan.take()) findings.add(std::move(fault));
-  Expansion expansion(root, origin, std::move(plan), findings);
   if (sound) return expansion.run();
   expansion.read_as_written();
   return {};
@@ -344,6 +375,21 @@ LoadedCases load_cases_text(const std::string& text, const std::filesystem::path
   const SharedText source(text);
   for (Case& one : loaded.cases) one.source = source;
   return loaded;
+}
+
+std::optional<FileOutline> outline_cases(const std::filesystem::path& file, const std::string& id,
+                                         std::span<const std::string> known_rules) {
+  const TextFile read = read_text_file(file, kMaxFileBytes);
+  if (!read.text) return std::nullopt;
+  Findings findings(file.generic_string());
+  const std::optional<JsonNode> root = parse_json(*read.text, findings);
+  if (!root || !findings.empty()) return std::nullopt;
+  const CaseOrigin origin{file, id, *read.text, known_rules};
+  Expansion expansion = expansion_of(*root, origin, findings, findings);
+  if (!findings.empty()) return std::nullopt;
+  std::optional<FileOutline> outline = expansion.outline();
+  if (outline) outline->first.source = *read.text;
+  return outline;
 }
 
 }  // namespace edgecase

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -57,5 +58,22 @@ LoadedCases load_cases(const std::filesystem::path& file, const std::string& id,
 // The same for a text; `file` names it in messages, and coverage files lie in its folder.
 LoadedCases load_cases_text(const std::string& text, const std::filesystem::path& file,
                             const std::string& id, std::span<const std::string> known_rules = {});
+
+// A case by its id, and by what distinguishes it within its file (Case).
+struct CaseName {
+  std::string id;
+  std::vector<std::string> parts;
+};
+
+struct FileOutline {
+  std::vector<CaseName> names;  // of all cases, in the order of load_cases()
+  Case first;                   // the first of them
+};
+
+// What a file stands for, in a small part of the time that load_cases() takes, since only the first
+// case is read. Nothing if that much shows a fault, which load_cases() tells; the other cases may
+// have faults, too.
+std::optional<FileOutline> outline_cases(const std::filesystem::path& file, const std::string& id,
+                                         std::span<const std::string> known_rules = {});
 
 }  // namespace edgecase

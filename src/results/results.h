@@ -27,7 +27,7 @@ namespace edgecase {
 struct ShareOfRun {
   int index = 0;  // 0 to count - 1
   int count = 1;
-  std::size_t cases = 0;  // of the run as a whole
+  std::size_t cases = 0;  // of the run as a whole, if no file has faults
   std::string selection;  // digest of their ids and of their files' texts
   friend bool operator==(const ShareOfRun&, const ShareOfRun&) = default;
 };

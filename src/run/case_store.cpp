@@ -34,8 +34,6 @@ void carry_case(Io& io, T& one) {
 namespace {
 
 constexpr std::size_t kCaseWeight = 256;
-// What a case with textures costs, beside one of the same weight without.
-constexpr std::size_t kTexturedCost = 4;
 
 std::size_t weight_of(const Scene& scene) {
   const Target& target = scene.target;
@@ -167,7 +165,7 @@ std::vector<Case> CaseStore::all() const {
 
 void CaseStore::push_back(Case one) {
   const std::size_t weight = weight_of(one.scene);
-  Entry entry{one.id, weight, one.scene.textures.empty() ? weight : kTexturedCost * weight, {}};
+  Entry entry{one.id, weight, {}};
   entry.place = shelves_->put(std::move(one));
   entries_.push_back(std::move(entry));
 }
@@ -179,29 +177,6 @@ void CaseStore::sort_by_id() {
 void CaseStore::keep_sample(std::size_t index, std::size_t count) {
   std::size_t at = 0;
   std::erase_if(entries_, [&](const Entry&) { return at++ % count != index; });
-}
-
-// The share that costs least takes the next stretch. There are several stretches to each, so that
-// the last ones make all even.
-void CaseStore::keep_share(std::size_t index, std::size_t count) {
-  if (count == 1) return;
-  constexpr std::size_t kMostCases = 64;
-  const std::size_t stretches = 8 * count;  // at least, if there are as many cases
-  std::size_t whole = 0;
-  for (const Entry& entry : entries_) whole += entry.weight;
-  const SliceLimits limits{whole / stretches,
-                           std::clamp<std::size_t>(entries_.size() / stretches, 1, kMostCases)};
-  std::vector<std::size_t> costs(count);
-  std::vector<Entry> kept;
-  for (const CaseSlice& stretch : cut_cases(*this, limits)) {
-    const auto least = std::ranges::min_element(costs);
-    for (std::size_t i = stretch.begin; i < stretch.end; ++i) *least += entries_[i].cost;
-    if (least - costs.begin() != static_cast<std::ptrdiff_t>(index)) continue;
-    const auto begin = std::make_move_iterator(entries_.begin());
-    kept.insert(kept.end(), begin + static_cast<std::ptrdiff_t>(stretch.begin),
-                begin + static_cast<std::ptrdiff_t>(stretch.end));
-  }
-  entries_ = std::move(kept);
 }
 
 std::vector<CaseSlice> cut_cases(const CaseStore& cases, SliceLimits most) {

@@ -43,15 +43,11 @@ class CaseStore {
   void sort_by_id();
   // Keeps the cases at `index`, `index` + `count` and so on: an even sample.
   void keep_sample(std::size_t index, std::size_t count);
-  // Keeps one of `count` shares of about the same cost, which together have every case once. A
-  // share is stretches of up to 64 neighbours, which repeat programs and states of the driver.
-  void keep_share(std::size_t index, std::size_t count);
 
  private:
   struct Entry {
     std::string id;
     std::size_t weight = 0;
-    std::size_t cost = 0;  // in units of weight, to make shares even
     Shelf::Place place;
   };
   class Shelves;

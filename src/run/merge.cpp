@@ -172,7 +172,7 @@ Fault find_fault(const std::vector<MergePart>& parts, bool partial) {
   return partial ? std::nullopt : find_missing_shares(parts);
 }
 
-// Every shard loads all case files, so all have the same diagnostics.
+// Shards with cases of one file have the same diagnostics of it.
 void unite(const std::vector<Diagnostic>& from, std::vector<Diagnostic>& to) {
   const auto parts_of = [](const Diagnostic& d) {
     return std::tie(d.file, d.line, d.pointer, d.message, d.remedy);
@@ -196,10 +196,13 @@ void add_part(Results part, Results& whole) {
 
 std::variant<Results, std::string> merge_results(std::vector<MergePart> parts, bool partial) {
   if (Fault fault = find_fault(parts, partial)) return std::move(*fault);
+  const bool is_partial = find_missing_shares(parts).has_value();
   Results whole = std::move(parts.front().results);
   for (std::size_t i = 1; i < parts.size(); ++i) add_part(std::move(parts[i].results), whole);
   if (whole.shard) {
-    whole.left_out = whole.shard->cases - std::min(whole.shard->cases, whole.cases.size());
+    // Shards count the cases of a file whose faults show when all of it is read, and have none.
+    if (is_partial)
+      whole.left_out = whole.shard->cases - std::min(whole.shard->cases, whole.cases.size());
     whole.interrupted = whole.interrupted || whole.left_out > 0;
     whole.shard.reset();
   } else if (parts.size() > 1) {

@@ -43,9 +43,9 @@ struct FoundWords {
 // `suite`: the folder in which ids are looked up; need not exist. Never throws.
 FoundWords find_words(std::span<const std::string> words, const std::filesystem::path& suite);
 
-// Does each part of a pattern, "dx=0.5:*", match some part of the case's id? An empty pattern has
-// one part that matches nothing.
-bool matches_parts(const std::string& pattern, const Case& one);
+// Does each part of a pattern, "dx=0.5:*", match some part of a case's id (Case::parts)? An empty
+// pattern has one part that matches nothing.
+bool matches_parts(const std::string& pattern, const std::vector<std::string>& parts);
 
 struct Shard {
   int index = 0;  // 0 to count - 1
@@ -68,7 +68,7 @@ struct Selection {
   std::vector<std::string> tags;   // a case needs one of them; none: all
   std::optional<NamedCases> only;  // of all that the others select
   Shard sample;                    // every count-th case, by id, of what the others select
-  Shard shard;                     // applied last (CaseStore::keep_share)
+  Shard shard;                     // applied last (run/sharding.h)
 };
 
 struct Suite {
@@ -84,7 +84,9 @@ struct Suite {
 Selection selection_of(std::span<const std::string> words, const std::filesystem::path& suite);
 
 // Loads what the selection asks for. A file that cannot be loaded is a diagnostic and costs nothing
-// else, and so is a word that names nothing; excluded and filtered-out files are not even read.
+// else, and so is a word that names nothing; excluded and filtered-out files are not even read. Of
+// a shard, only files with some of its cases are loaded: others' faults are told if the first case
+// shows them.
 Suite load_suite(const Selection& selection);
 
 }  // namespace edgecase

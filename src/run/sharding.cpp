@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <numeric>
+
+#include "casefile/scene/scene_reader.h"
 
 namespace edgecase {
 namespace {
@@ -11,6 +15,33 @@ namespace {
 using Variable = std::function<const char*(const char*)>;
 
 constexpr int kMostShards = 1'000'000;
+
+// Costs beside that of a small case with one flat triangle, as measured with llvmpipe: of a sample,
+// and what is added where its colour varies in a multisampled target, where its derivatives are
+// told, or where it is looked up in a texture; of a draw with a polygon offset, which llvmpipe
+// compiles; of a mip chain that the driver generates; of a further pass.
+constexpr double kSample = 0.007;
+constexpr double kVaryingSample = 0.055;
+constexpr double kDerivedSample = 0.15;
+constexpr double kTexturedSample = 0.035;
+constexpr double kMipmappedSample = 0.125;
+constexpr double kAnisotropicSample = 0.5;
+constexpr double kOffset = 4.7;
+constexpr double kMipChain = 30;
+constexpr double kPass = 1.1;
+
+double cost_of_sample(const Scene& scene, const Draw& draw) {
+  double cost = kSample;
+  if (scene.details.derivatives) cost += kDerivedSample;
+  if (scene.target.samples > 1 && draw.interpolation != Interpolation::flat) cost += kVaryingSample;
+  if (!draw.texture) return cost;
+  const Sampler& sampler = draw.texture->sampler;
+  const LookupKind kind = draw.texture->lookup.kind;
+  const bool derives_level = kind == LookupKind::implicit || kind == LookupKind::bias;
+  if (sampler.max_anisotropy > 1) return cost + kAnisotropicSample;
+  if (sampler.mipmap != MipFilter::none && derives_level) return cost + kMipmappedSample;
+  return cost + kTexturedSample;
+}
 
 struct Pair {
   const char* total;
@@ -88,6 +119,36 @@ std::variant<ShardChoice, std::string> shard_of_variables(const Variable& variab
   if (one) return ShardChoice{*one, variables_of(kBazel)};
   if (other) return ShardChoice{*other, variables_of(kGitLab)};
   return ShardChoice{};
+}
+
+double cost_of(const Scene& scene) {
+  double cost = 1;
+  double of_sample = kSample;
+  for (const Draw& draw : scene.draws) {
+    of_sample = std::max(of_sample, cost_of_sample(scene, draw));
+    if (draw.polygon_offset) cost += kOffset;
+  }
+  for (const auto& texture : scene.textures)
+    if (texture->generated) cost += kMipChain;
+  for (std::size_t pass = 1; pass < scene.supersampling.size(); ++pass) cost += kPass;
+  return cost + of_sample * static_cast<double>(most_drawn_samples(scene));
+}
+
+std::vector<std::size_t> first_of_shards(std::span<const double> costs, std::size_t count) {
+  std::vector<std::size_t> first;
+  double left = std::accumulate(costs.begin(), costs.end(), 0.0);
+  std::size_t at = 0;
+  for (std::size_t shards = count; shards > 0; --shards) {
+    first.push_back(at);
+    if (at == costs.size()) continue;
+    const double share = left / static_cast<double>(shards);
+    double taken = costs[at++];
+    // Those behind keep a case each.
+    while (at + shards <= costs.size() && (shards == 1 || taken + costs[at] / 2 < share))
+      taken += costs[at++];
+    left -= taken;
+  }
+  return first;
 }
 
 }  // namespace edgecase

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "run/case_store.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -124,74 +123,6 @@ TEST(CaseStore, SortsAndKeepsASample) {
   cases.keep_sample(1, 2);
   EXPECT_EQ(ids_of(cases), (std::vector<std::string>{"b", "d"}));
   EXPECT_EQ(ids_of(before), (std::vector<std::string>{"d", "b", "a", "e", "c"}));
-}
-
-// Cases of weights that differ a hundredfold.
-std::vector<Case> uneven_cases(int count) {
-  std::vector<Case> list;
-  for (int i = 0; i < count; ++i) {
-    list.push_back(case_of(fmt::format("case-{:04}", i)));
-    list.back().scene.target.width = list.back().scene.target.height = i % 97 == 0 ? 160 : i % 13;
-  }
-  return list;
-}
-
-std::size_t weight_of(const CaseStore& cases) {
-  std::size_t weight = 0;
-  for (std::size_t i = 0; i < cases.size(); ++i) weight += cases.weight(i);
-  return weight;
-}
-
-TEST(CaseStore, SharesHaveEachCaseOnceAndWeighTheSame) {
-  for (const int size : {0, 1, 5, 31, 2000})
-    for (const std::size_t count : {1U, 2U, 3U, 7U, 40U}) {
-      const CaseStore whole(uneven_cases(size));
-      std::vector<std::string> together;
-      std::vector<std::size_t> weights;
-      for (std::size_t index = 0; index < count; ++index) {
-        CaseStore share = whole;
-        share.keep_share(index, count);
-        const std::vector<std::string> ids = ids_of(share);
-        EXPECT_TRUE(std::ranges::is_sorted(ids));
-        together.insert(together.end(), ids.begin(), ids.end());
-        weights.push_back(weight_of(share));
-      }
-      std::ranges::sort(together);
-      EXPECT_EQ(together, ids_of(whole));
-      // They differ by one stretch at most: an eighth of a share, or one heavy case.
-      const auto [least, most] = std::ranges::minmax(weights);
-      EXPECT_LE(most - least, weight_of(whole) / (8 * count) + 256 + 160 * 160) << size << count;
-    }
-}
-
-// The first half has textures: each of its cases costs as much as four of the others.
-TEST(CaseStore, SharesCostTheSame) {
-  std::vector<Case> list;
-  for (int i = 0; i < 2000; ++i) {
-    list.push_back(case_of(fmt::format("case-{:04}", i)));
-    if (i < 1000) list.back().scene.textures = {std::make_shared<Texture>()};
-  }
-  const CaseStore whole(list);
-  for (const std::size_t count : {2U, 3U, 7U})
-    for (std::size_t index = 0; index < count; ++index) {
-      CaseStore share = whole;
-      share.keep_share(index, count);
-      const std::vector<std::string> ids = ids_of(share);
-      const auto textured =
-          std::ranges::count_if(ids, [](const auto& id) { return id < "case-1"; });
-      const std::ptrdiff_t cost = std::ssize(ids) + 3 * textured;
-      EXPECT_NEAR(static_cast<double>(cost), 5000.0 / static_cast<double>(count), 64 * 4);
-    }
-}
-
-TEST(CaseStore, SharesAreStretchesOfNeighbours) {
-  CaseStore share(uneven_cases(2000));
-  share.keep_share(1, 2);
-  const std::vector<std::string> ids = ids_of(share);
-  int breaks = 0;
-  for (std::size_t i = 1; i < ids.size(); ++i)
-    breaks += std::stoi(ids[i].substr(5)) != std::stoi(ids[i - 1].substr(5)) + 1;
-  EXPECT_LE(breaks, 30);
 }
 
 TEST(CaseStore, SeveralThreadsRead) {

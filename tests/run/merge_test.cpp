@@ -116,6 +116,18 @@ TEST(Merge, SaysWhichShardsAreMissing) {
   EXPECT_FALSE(partial.shard);
 }
 
+// A file is counted by its names, and lost by a fault that all its cases show together.
+TEST(Merge, CasesOfAFaultyFileAreNotLeftOut) {
+  std::vector<MergePart> parts;
+  for (int i = 0; i < 3; ++i) {
+    parts.push_back(shard(i, 3));
+    parts.back().results.shard->cases += 4;
+  }
+  const Results whole = merged(std::move(parts));
+  EXPECT_EQ(whole.left_out, 0u);
+  EXPECT_FALSE(whole.interrupted);
+}
+
 TEST(Merge, SharesWithoutACaseAreNotMissed) {
   std::vector<MergePart> parts;
   for (int i = 0; i < 6; ++i) parts.push_back(shard(i, 8));

@@ -126,9 +126,9 @@ TEST(MatchesParts, EachPartOfThePatternMustMatch) {
   Case one;
   one.parts = {"dx=0.5", "dy=1", "reverse"};
   for (const char* pattern : {"dx=0.5", "dy=1:dx=0.5", "dx=*:reverse", "*", "r*"})
-    EXPECT_TRUE(matches_parts(pattern, one)) << pattern;
+    EXPECT_TRUE(matches_parts(pattern, one.parts)) << pattern;
   for (const char* pattern : {"", "dx=0", "dx=0.5:dx=1", "dx=0.5:", "x=0.5"})
-    EXPECT_FALSE(matches_parts(pattern, one)) << pattern;
+    EXPECT_FALSE(matches_parts(pattern, one.parts)) << pattern;
 }
 
 }  // namespace

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Which share of the cases a CI system's variables ask for.
+// Which share of the cases a CI system's variables ask for, and which cases a share has.
 #include "run/sharding.h"
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
+#include <numeric>
+#include <random>
+
+#include "casefile/loader.h"
 
 namespace edgecase {
 namespace {
@@ -90,6 +96,55 @@ TEST(ParseShard, CountsFrom1) {
   EXPECT_EQ(parse_shard("2/3")->count, 3);
   for (const char* bad : {"", "2", "0/3", "4/3", "1/0", "a/3", "1/b", "1/3/5", "-1/3"})
     EXPECT_FALSE(parse_shard(bad)) << bad;
+}
+
+// Costs that differ a hundredfold, most of them small.
+std::vector<double> uneven_costs(std::size_t count) {
+  std::mt19937 random(7);
+  std::vector<double> costs;
+  for (std::size_t i = 0; i < count; ++i)
+    costs.push_back(random() % 97 == 0 ? 100.0 : static_cast<double>(1 + random() % 5));
+  return costs;
+}
+
+TEST(Shards, HaveEachCaseOnceAndCostTheSame) {
+  for (const std::size_t size : {0U, 1U, 5U, 31U, 2000U})
+    for (const std::size_t count : {1U, 2U, 3U, 7U, 40U, 3000U}) {
+      SCOPED_TRACE(std::to_string(size) + " cases, " + std::to_string(count) + " shards");
+      const std::vector<double> costs = uneven_costs(size);
+      std::vector<std::size_t> first = first_of_shards(costs, count);
+      ASSERT_EQ(first.size(), count);
+      EXPECT_EQ(first.front(), 0U);
+      EXPECT_TRUE(std::ranges::is_sorted(first));
+      EXPECT_LE(first.back(), size);
+      first.push_back(size);
+      const double mean =
+          std::accumulate(costs.begin(), costs.end(), 0.0) / static_cast<double>(count);
+      for (std::size_t i = 0; i < count; ++i) {
+        // None is empty while there are cases.
+        EXPECT_EQ(first[i] < first[i + 1], i < size);
+        const auto at = [&](std::size_t index) {
+          return costs.begin() + static_cast<std::ptrdiff_t>(index);
+        };
+        if (size < 20 * count) continue;
+        const double cost = std::accumulate(at(first[i]), at(first[i + 1]), 0.0);
+        EXPECT_NEAR(cost, mean, 100);
+      }
+    }
+}
+
+double cost_in(const std::string& id) {
+  const auto file = std::filesystem::path(EDGECASE_ROOT) / "cases" / (id + ".json");
+  return cost_of(load_cases(file, id).cases.front().scene);
+}
+
+TEST(Shards, KnowWhatIsExpensive) {
+  EXPECT_NEAR(cost_in("triangles/single/one-pixel-target"), 1, 0.1);
+  EXPECT_GT(cost_in("output/offset/clamp"), 4);
+  EXPECT_GT(cost_in("textures/mipmaps/odd-sizes"), 20);
+  EXPECT_GT(cost_in("textures/anisotropy/texels"), 10);
+  EXPECT_GT(cost_in("values/derivatives/linear"), 5);
+  EXPECT_GT(cost_in("samples/supersampling/moire-of-a-floor"), 20);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ import unittest
 import results_file
 from suite_data import IS_QUICK
 from support import (AS_EXPECTED, INTERNAL, NOTHING_SELECTED, SUITE, UNEXPECTED, USAGE,
-                     CommandTest, only_result)
+                     CommandTest, only_result, triangle_case)
 
 RENDERERS = ["--against", "egl:llvmpipe", "--against", "egl:softpipe"]
 # Lines and joints, both surfaces, samples, ramps, and pictures large enough to be folded.
@@ -70,6 +70,21 @@ class Merge(CommandTest):
         parts = self.shards(*arguments)
         self.merge_to("merged", *parts, expect=UNEXPECTED)
 
+    def test_a_fault_of_a_later_case_is_told_by_shards_with_cases_of_its_file(self):
+        renderer = self.small_suite()
+        width = {"set": ["/target/width"], "values": [8, 9, 0]}
+        self.write("cases/bad.json", triangle_case(sweep={"width": width}))
+        arguments = ["cases", "--against", renderer]
+        self.run_to("whole", *arguments, expect=USAGE)
+        parts = self.shards(*arguments)
+        runs = [self.command("run", *arguments, "--shard", f"{i}/{SHARDS}", "--list", expect=None)
+                for i in range(1, SHARDS + 1)]
+        telling = ["bad.json" in run.stderr for run in runs]
+        self.assertTrue(any(telling) and not all(telling), telling)
+        self.assertEqual([run.returncode == USAGE for run in runs], telling)
+        self.merge_to("merged", *parts, expect=USAGE)
+        self.assert_same_files("whole", "merged")
+
     def test_known_faults_are_those_of_the_suite(self):
         renderer = self.small_suite()
         parts = self.shards("cases", "--against", renderer)
@@ -83,9 +98,9 @@ class Merge(CommandTest):
         parts = self.shards("cases", "--against", self.small_suite())
         self.assertIn("shard 3/4 is missing", self.complaint(parts[0], parts[1], parts[3]))
         run = self.merge_to("some", parts[0], parts[1], "--partial", expect=UNEXPECTED)
-        self.assertIn("2 cases are missing", run.stdout)
+        self.assertIn("3 cases are missing", run.stdout)
         some = results_file.read(self.folder / "some.json")
-        self.assertEqual((some["interrupted"], some["left_out"]), (True, 2))
+        self.assertEqual((some["interrupted"], some["left_out"]), (True, 3))
 
     def test_refusals(self):
         self.small_suite()
@@ -136,10 +151,10 @@ class ShardVariables(CommandTest):
 
     def test_they_are_obeyed_and_said(self):
         cases, told = self.listed(TEST_TOTAL_SHARDS="2", TEST_SHARD_INDEX="1")
-        self.assertEqual(cases, ["b", "d"])
+        self.assertEqual(cases, ["c", "d"])
         self.assertIn("TEST_TOTAL_SHARDS and TEST_SHARD_INDEX ask for shard 2/2", told)
         cases, told = self.listed(CI_NODE_TOTAL="2", CI_NODE_INDEX="1")
-        self.assertEqual(cases, ["a", "c"])
+        self.assertEqual(cases, ["a", "b"])
         self.assertIn("CI_NODE_TOTAL and CI_NODE_INDEX ask for shard 1/2", told)
         self.assertEqual(self.listed("--shard", "1/4", CI_NODE_TOTAL="2", CI_NODE_INDEX="x"),
                          (["a"], ""))
