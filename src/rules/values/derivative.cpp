@@ -106,17 +106,29 @@ Interval derivative_inexact(const Interpolant& f, const QuadPixel& at, Axis axis
 PermittedDerivatives::PermittedDerivatives(std::span<const Interpolant> components, double reach)
     : components_(components.begin(), components.end()), vertices_(components_.front(), reach) {}
 
-const PermittedDerivatives::AtPixel& PermittedDerivatives::at_pixel(PixelPosition pixel,
-                                                                    std::size_t component) {
+const std::vector<PermittedDerivatives::AtPixel>& PermittedDerivatives::at_pixel(
+    PixelPosition pixel) {
   std::vector<AtPixel>& known = pixels_[pixel];
   if (known.empty()) {
     const PermittedPlace place(vertices_, centre_of(pixel));
+    known.reserve(components_.size());
     for (const Interpolant& f : components_) {
       const Interval value = place.value(f);
       known.push_back({value, place.slopes(f, value)});
     }
   }
-  return known[component];
+  return known;
+}
+
+const PermittedDerivatives::AtPixel& PermittedDerivatives::beside(PixelPosition pixel, int dx,
+                                                                  int dy, std::size_t component) {
+  if (pixel != centre_) {
+    centre_ = pixel;
+    around_.fill(nullptr);
+  }
+  const std::vector<AtPixel>*& known = around_[static_cast<std::size_t>(3 * (dy + 1) + dx + 1)];
+  if (known == nullptr) known = &at_pixel({pixel.x + dx, pixel.y + dy});
+  return (*known)[component];
 }
 
 // The exact derivative, and the fine form: the pixel and its neighbour on either side. Other forms:
@@ -127,13 +139,13 @@ Interval PermittedDerivatives::at(PixelPosition pixel, Derivative derivative,
   const Axis axis = axis_of(derivative);
   const bool fine = derivative == Derivative::x_fine || derivative == Derivative::y_fine;
   const int spread = fine ? 0 : 1;
-  Interval result = at_pixel(pixel, component).slopes[axis == Axis::x ? 0 : 1];
+  Interval result = beside(pixel, 0, 0, component).slopes[axis == Axis::x ? 0 : 1];
   for (int across = -spread; across <= spread; ++across) {
     std::array<Interval, 3> values;
     for (int along = -1; along <= 1; ++along) {
-      const PixelPosition at = axis == Axis::x ? PixelPosition{pixel.x + along, pixel.y + across}
-                                               : PixelPosition{pixel.x + across, pixel.y + along};
-      values[static_cast<std::size_t>(along + 1)] = at_pixel(at, component).value;
+      const AtPixel& at = axis == Axis::x ? beside(pixel, along, across, component)
+                                          : beside(pixel, across, along, component);
+      values[static_cast<std::size_t>(along + 1)] = at.value;
     }
     result = hull(result, inexact_difference(values[1], values[0]));
     result = hull(result, inexact_difference(values[2], values[1]));
@@ -235,6 +247,17 @@ CoordinatePairs<Place>::CoordinatePairs(int width)
     : columns_(std::min(std::bit_ceil(static_cast<std::size_t>(width)), kMostColumns)) {}
 
 template <class Place>
+Place CoordinatePairs<Place>::place_at(int primitive, const Interpolant& s, Point sample) {
+  if constexpr (std::is_same_v<Place, InexactPlace>) {
+    if (vertices_of_ != primitive) vertices_.emplace(s);
+    vertices_of_ = primitive;
+    return Place(sample, *vertices_);
+  } else {
+    return Place(sample);
+  }
+}
+
+template <class Place>
 std::array<Interval, 2> CoordinatePairs<Place>::at(int primitive, const Interpolant& s,
                                                    const Interpolant& t, PixelPosition pixel) {
   if (known_.empty()) known_.resize(kRows * columns_);
@@ -243,7 +266,7 @@ std::array<Interval, 2> CoordinatePairs<Place>::at(int primitive, const Interpol
   const std::size_t row = static_cast<std::size_t>(pixel.y) % kRows;
   AtPixel& known = known_[row * columns_ + column];
   if (known.primitive != primitive || known.pixel != pixel) {
-    const Place place(centre_of(pixel));
+    const Place place = place_at(primitive, s, centre_of(pixel));
     known = {primitive, pixel, {place.value(s), place.value(t)}};
   }
   return known.values;

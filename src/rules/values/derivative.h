@@ -19,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -117,6 +118,7 @@ class PermittedDerivatives {
   PermittedDerivatives(std::span<const Interpolant> components, double reach);
   PermittedDerivatives(const Interpolant& component, double reach)
       : PermittedDerivatives(std::span(&component, 1), reach) {}
+  PermittedDerivatives(PermittedDerivatives&&) = default;  // a copy would point into the original
 
   Interval at(PixelPosition pixel, Derivative derivative, std::size_t component = 0);
   // Further values of the plain and coarse forms, if the area that shares a derivative may have up
@@ -128,11 +130,17 @@ class PermittedDerivatives {
     Interval value;
     std::array<Interval, 2> slopes;  // by axis
   };
-  const AtPixel& at_pixel(PixelPosition pixel, std::size_t component);
+  // By component.
+  const std::vector<AtPixel>& at_pixel(PixelPosition pixel);
+  // Of a pixel at most one column and one row away from `pixel`.
+  const AtPixel& beside(PixelPosition pixel, int dx, int dy, std::size_t component);
 
   std::vector<Interpolant> components_;
   MovedVertices vertices_;
-  std::map<PixelPosition, std::vector<AtPixel>> pixels_;  // by component
+  std::map<PixelPosition, std::vector<AtPixel>> pixels_;
+  // Those of them around the pixel that was asked for last, by row and column.
+  PixelPosition centre_{-1, -1};
+  std::array<const std::vector<AtPixel>*, 9> around_{};
 };
 
 // ------------------------------------------------------------------------ both texture coordinates
@@ -164,8 +172,12 @@ class CoordinatePairs {
     std::array<Interval, 2> values;  // of s and t
   };
 
+  Place place_at(int primitive, const Interpolant& s, Point sample);
+
   std::size_t columns_;         // a power of two
   std::vector<AtPixel> known_;  // by row and column, the lowest bits of each
+  int vertices_of_ = -1;        // the primitive of `vertices_`
+  std::optional<UnmovedVertices> vertices_;
 };
 
 using ExactCoordinates = CoordinatePairs<ExactPlace>;

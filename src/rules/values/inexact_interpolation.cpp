@@ -57,11 +57,16 @@ Interval inexact_mean(const Interpolant& f, const SharesOverW& over_w) {
 
 namespace {
 
-Shares triangle_shares(const WindowPlaces& v, const WindowPlace& p) {
+// As area_of() has it: each vertex is part of two areas.
+Shares triangle_shares(const WindowPlaces& v, Interval area, const WindowPlace& p) {
   const Inexact& op = kInexact;
-  const Interval area = area_of(op, v[1], v[2], v[0]);
-  return {op.divide(area_of(op, v[1], v[2], p), area), op.divide(area_of(op, v[2], v[0], p), area),
-          op.divide(area_of(op, v[0], v[1], p), area)};
+  WindowPlaces from_p;
+  for (std::size_t i = 0; i < 3; ++i)
+    from_p[i] = {op.subtract(v[i][0], p[0]), op.subtract(v[i][1], p[1])};
+  const auto share = [&](const WindowPlace& a, const WindowPlace& b) {
+    return op.divide(op.subtract(op.multiply(a[0], b[1]), op.multiply(a[1], b[0])), area);
+  };
+  return {share(from_p[1], from_p[2]), share(from_p[2], from_p[0]), share(from_p[0], from_p[1])};
 }
 
 Shares line_shares(const Interpolant& f, const WindowPlaces& v, const WindowPlace& p) {
@@ -88,16 +93,15 @@ Interval point_value(const Interpolant& f) {
   return kInexact.multiply(kInexact.divide(value, f.w[0]), f.w[0]);
 }
 
-Shares unmoved_shares(const Interpolant& f, const WindowPlace& p) {
-  const WindowPlaces v = places_of(f);
-  return f.kind == PrimitiveKind::line ? line_shares(f, v, p) : triangle_shares(v, p);
-}
-
-Interval unmoved_mean(const Interpolant& f, const WindowPlace& p) {
-  return inexact_mean(f, unmoved_shares(f, p));
+Shares unmoved_shares(const Interpolant& f, const UnmovedVertices& vertices, const WindowPlace& p) {
+  return f.kind == PrimitiveKind::line ? line_shares(f, vertices.places, p)
+                                       : triangle_shares(vertices.places, vertices.area, p);
 }
 
 }  // namespace
+
+UnmovedVertices::UnmovedVertices(const Interpolant& primitive)
+    : places(places_of(primitive)), area(area_of(kInexact, places[1], places[2], places[0])) {}
 
 Interval interpolate_inexact(const Interpolant& f, Point sample) {
   return InexactPlace(sample).value(f);
@@ -105,7 +109,9 @@ Interval interpolate_inexact(const Interpolant& f, Point sample) {
 
 Interval InexactPlace::value(const Interpolant& f) const {
   if (f.kind == PrimitiveKind::point) return point_value(f);
-  if (!shares_) shares_ = unmoved_shares(f, place_of(sample_));
+  if (!shares_)
+    shares_ = unmoved_shares(f, vertices_ != nullptr ? *vertices_ : UnmovedVertices(f),
+                             place_of(sample_));
   if (!has_perspective(f)) return inexact_mean(f, *shares_);
   if (!over_w_) over_w_ = divided_by_w(f, *shares_);
   return inexact_mean(f, *over_w_);
@@ -160,16 +166,20 @@ Shares line_slopes(const Interpolant& f, const WindowPlaces& v, Axis axis) {
   return {op.subtract(0, slope), slope, 0};
 }
 
-// The sum of slope_i (a_i - a) / w_i, over the total. Without division by w any number will do for
-// `value`: the slopes sum to 0.
+Shares divided_slopes(const Interpolant& f, Shares slopes) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(vertices_of(f.kind)); ++i)
+    slopes[i] = kInexact.divide(slopes[i], f.w[i]);
+  return slopes;
+}
+
+// The sum of slope_i (a_i - a), over the total; with perspective, `slopes` are over w. Without it
+// any number will do for `value`: the slopes sum to 0.
 Interval inexact_slope(const Interpolant& f, const Shares& slopes, Interval value, Interval total) {
   const Inexact& op = kInexact;
   Interval sum = 0;
   const auto count = static_cast<std::size_t>(vertices_of(f.kind));
-  for (std::size_t i = 0; i < count; ++i) {
-    const Interval share = has_perspective(f) ? op.divide(slopes[i], f.w[i]) : slopes[i];
-    sum = op.add(sum, op.multiply(share, op.subtract(f.values[i], value)));
-  }
+  for (std::size_t i = 0; i < count; ++i)
+    sum = op.add(sum, op.multiply(slopes[i], op.subtract(f.values[i], value)));
   return op.divide(sum, total);
 }
 
@@ -179,12 +189,12 @@ Interval line_slope(const Interpolant& f, const WindowPlaces& v, const WindowPla
   const Shares slopes = line_slopes(f, v, axis);
   if (!has_perspective(f)) return inexact_slope(f, slopes, f.values[0], 1);
   const SharesOverW shares = divided_by_w(f, line_shares(f, v, p));
-  return inexact_slope(f, slopes, inexact_mean(f, shares), shares.total);
+  return inexact_slope(f, divided_slopes(f, slopes), inexact_mean(f, shares), shares.total);
 }
 
-Interval triangle_slope(const Interpolant& f, const WindowPlaces& v, Axis axis, Interval value,
+Interval triangle_slope(const Interpolant& f, const Shares& slopes, Interval value,
                         Interval total) {
-  return inexact_slope(f, area_slopes(v, axis), has_perspective(f) ? value : f.values[0], total);
+  return inexact_slope(f, slopes, has_perspective(f) ? value : f.values[0], total);
 }
 
 }  // namespace
@@ -192,9 +202,12 @@ Interval triangle_slope(const Interpolant& f, const WindowPlaces& v, Axis axis, 
 Interval differentiate_inexact(const Interpolant& f, Point sample, Axis axis) {
   if (f.kind == PrimitiveKind::point) return 0;
   const WindowPlace p = place_of(sample);
-  const WindowPlaces v = places_of(f);
+  const UnmovedVertices vertices(f);
+  const WindowPlaces& v = vertices.places;
   if (f.kind == PrimitiveKind::line) return line_slope(f, v, p, axis);
-  return triangle_slope(f, v, axis, unmoved_mean(f, p), triangle_total(f, v, p));
+  const Shares slopes = area_slopes(v, axis);
+  return triangle_slope(f, has_perspective(f) ? divided_slopes(f, slopes) : slopes,
+                        inexact_mean(f, unmoved_shares(f, vertices, p)), triangle_total(f, v, p));
 }
 
 namespace {
@@ -242,12 +255,22 @@ void MovedVertices::move_triangle(double reach) {
   all_areas_ = hull(area_, hull_of(areas_));
 }
 
+const Shares& MovedVertices::slopes(const Interpolant& f, Axis axis) const {
+  const std::size_t along = axis == Axis::x ? 0 : 1;
+  std::optional<Shares>& plain = slopes_[along];
+  if (!plain) plain = area_slopes(grown_, axis);
+  if (!has_perspective(f)) return *plain;
+  std::optional<Shares>& over_w = slopes_over_w_[along];
+  if (!over_w) over_w = divided_slopes(f, *plain);
+  return *over_w;
+}
+
 // ------------------------------------------------------------------------------------ moved shares
 
 MovedShares::MovedShares(const MovedVertices& vertices, Point sample)
     : vertices_(vertices), sample_(place_of(sample)) {
   if (!vertices_.is_steady_) return;
-  unmoved_ = triangle_shares(vertices_.unmoved_, sample_);
+  unmoved_ = triangle_shares(vertices_.unmoved_, vertices_.area_, sample_);
   areas_ = areas(kInexact);
   for (std::size_t i = 0; i < 3; ++i) shares_[i] = kInexact.divide(areas_[i], vertices_.areas_);
 }
@@ -338,9 +361,9 @@ std::array<Interval, 2> PermittedPlace::slopes(const Interpolant& f, Interval va
 
 Interval PermittedPlace::slope(const Interpolant& f, Axis axis, Interval value) const {
   if (f.kind == PrimitiveKind::point) return 0;
-  const WindowPlaces& v = vertices_.grown();
-  if (f.kind == PrimitiveKind::line) return line_slope(f, v, place_of(sample_), axis);
-  return triangle_slope(f, v, axis, value, shares().total(f));
+  if (f.kind == PrimitiveKind::line)
+    return line_slope(f, vertices_.grown(), place_of(sample_), axis);
+  return triangle_slope(f, vertices_.slopes(f, axis), value, shares().total(f));
 }
 
 const MovedShares& PermittedPlace::shares() const {

@@ -90,17 +90,30 @@ Interval inexact_mean(const Interpolant& f, const Shares& shares);
 // The same for an attribute with perspective.
 Interval inexact_mean(const Interpolant& f, const SharesOverW& over_w);
 
+// What the samples of a primitive share.
+struct UnmovedVertices {
+  WindowPlaces places;
+  Interval area;  // twice that of a triangle, in inexact arithmetic
+
+  // `primitive`: one of its attributes, for its positions.
+  explicit UnmovedVertices(const Interpolant& primitive);
+};
+
 // The results of interpolate_inexact for several attributes of one primitive at one sample. The
 // part that the attributes share is computed once.
 class InexactPlace {
  public:
   explicit InexactPlace(Point sample) : sample_(sample) {}
+  // `vertices`, those of the attributes' primitive, must outlive this.
+  InexactPlace(Point sample, const UnmovedVertices& vertices)
+      : sample_(sample), vertices_(&vertices) {}
 
   // Attributes have the same vertices and line parameter and, with perspective, the same w.
   Interval value(const Interpolant& f) const;
 
  private:
   Point sample_;
+  const UnmovedVertices* vertices_ = nullptr;
   // Computed on demand.
   mutable std::optional<Shares> shares_;
   mutable std::optional<SharesOverW> over_w_;
@@ -124,6 +137,9 @@ class MovedVertices {
 
   // The possible positions of each vertex.
   const WindowPlaces& grown() const { return grown_; }
+  // The growth of a triangle's shares along an axis; with perspective, over w. All attributes with
+  // perspective must have the same w.
+  const Shares& slopes(const Interpolant& f, Axis axis) const;
 
  private:
   friend class MovedShares;
@@ -153,6 +169,9 @@ class MovedVertices {
   Interval all_areas_;          // the hull of both
   bool is_steady_ = true;       // all areas have one sign, exactly
   bool is_above_zero_ = false;  // the sign, if they have one
+  // By axis, computed on demand: as they are, and over w.
+  mutable std::array<std::optional<Shares>, 2> slopes_;
+  mutable std::array<std::optional<Shares>, 2> slopes_over_w_;
 };
 
 // The shares of a triangle's vertices at one sample, by corner.
