@@ -27,8 +27,10 @@ namespace edgecase {
 struct ShareOfRun {
   int index = 0;  // 0 to count - 1
   int count = 1;
-  std::size_t cases = 0;  // of the run as a whole, if no file has faults
+  std::size_t cases = 0;  // of the run as a whole
   std::string selection;  // digest of their ids and of their files' texts
+  // Cases of this share that it lacks, since faults showed when their file was read as a whole.
+  std::size_t faulty = 0;
   friend bool operator==(const ShareOfRun&, const ShareOfRun&) = default;
 };
 

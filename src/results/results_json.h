@@ -17,7 +17,8 @@
 //    "renderers": [{"name", "vendor", "version", "device", "subpixel_bits", "traits"}]}
 //
 // "shard", present only for a share of a run, is {"index": from 1, "count", "cases": of the whole
-// run, "selection": digest of them}; `edgecase merge` joins the shards.
+// run, "selection": digest of them, "faulty": cases of this share that are lost by faults of their
+// files, if there are any}; `edgecase merge` joins the shards.
 //
 // Cases, a line each, in the order of their ids:
 //

@@ -58,7 +58,8 @@ ShareOfRun to_shard(const ReadJson& json) {
   const int count = WholeNumber(json.at("count"));
   if (number < 1 || number > count)
     throw std::runtime_error(fmt::format("there is no share {} of {}", number, count));
-  return {number - 1, count, WholeNumber(json.at("cases")), json.at("selection")};
+  return {number - 1, count, WholeNumber(json.at("cases")), json.at("selection"),
+          json.contains("faulty") ? WholeNumber(json.at("faulty")) : std::size_t{0}};
 }
 
 Diagnostic to_diagnostic(const ReadJson& json) {

@@ -44,10 +44,12 @@ Json diagnostic_json(const Diagnostic& d) {
 }
 
 Json shard_json(const ShareOfRun& shard) {
-  return {{"index", shard.index + 1},
-          {"count", shard.count},
-          {"cases", shard.cases},
-          {"selection", shard.selection}};
+  Json json = {{"index", shard.index + 1},
+               {"count", shard.count},
+               {"cases", shard.cases},
+               {"selection", shard.selection}};
+  if (shard.faulty > 0) json["faulty"] = shard.faulty;
+  return json;
 }
 
 Json fault_json(const FaultSeen& seen) {

@@ -190,19 +190,18 @@ void add_part(Results part, Results& whole) {
   unite(part.diagnostics, whole.diagnostics);
   whole.interrupted = whole.interrupted || part.interrupted;
   whole.left_out += part.left_out;
+  if (whole.shard) whole.shard->faulty += part.shard->faulty;
 }
 
 }  // namespace
 
 std::variant<Results, std::string> merge_results(std::vector<MergePart> parts, bool partial) {
   if (Fault fault = find_fault(parts, partial)) return std::move(*fault);
-  const bool is_partial = find_missing_shares(parts).has_value();
   Results whole = std::move(parts.front().results);
   for (std::size_t i = 1; i < parts.size(); ++i) add_part(std::move(parts[i].results), whole);
   if (whole.shard) {
-    // Shards count the cases of a file whose faults show when all of it is read, and have none.
-    if (is_partial)
-      whole.left_out = whole.shard->cases - std::min(whole.shard->cases, whole.cases.size());
+    const std::size_t accounted = whole.cases.size() + whole.shard->faulty;
+    whole.left_out = whole.shard->cases - std::min(whole.shard->cases, accounted);
     whole.interrupted = whole.interrupted || whole.left_out > 0;
     whole.shard.reset();
   } else if (parts.size() > 1) {

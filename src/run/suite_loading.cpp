@@ -174,6 +174,7 @@ class ShardPlan {
   // True of those with a case of the shard, and of those whose faults are to be told.
   bool has_file(std::size_t file) const { return files_.contains(file); }
   bool has(const std::string& id) const { return ids_.contains(id); }
+  std::size_t size() const { return ids_.size(); }
 
  private:
   struct Planned {
@@ -246,7 +247,9 @@ Suite load_suite(const Selection& selection) {
   chooser.tell(suite.diagnostics);
   suite.is_misspelt = suite.cases.empty() && in_files == 0 && !suite.diagnostics.empty();
   suite.cases.sort_by_id();
-  if (!plan)
+  if (plan)
+    suite.share->faulty = plan->size() - suite.cases.size();
+  else
     suite.cases.keep_sample(static_cast<std::size_t>(selection.sample.index),
                             static_cast<std::size_t>(selection.sample.count));
   return suite;

@@ -116,16 +116,23 @@ TEST(Merge, SaysWhichShardsAreMissing) {
   EXPECT_FALSE(partial.shard);
 }
 
-// A file is counted by its names, and lost by a fault that all its cases show together.
+// Shards count the cases of all files, and some files turn out to have faults.
 TEST(Merge, CasesOfAFaultyFileAreNotLeftOut) {
-  std::vector<MergePart> parts;
-  for (int i = 0; i < 3; ++i) {
-    parts.push_back(shard(i, 3));
-    parts.back().results.shard->cases += 4;
-  }
-  const Results whole = merged(std::move(parts));
-  EXPECT_EQ(whole.left_out, 0u);
-  EXPECT_FALSE(whole.interrupted);
+  const auto parts = [](std::size_t faulty) {
+    std::vector<MergePart> list;
+    for (int i = 0; i < 3; ++i) {
+      list.push_back(shard(i, 3));
+      list.back().results.shard->cases += 4;
+      if (i > 0) list.back().results.shard->faulty = faulty;
+    }
+    return list;
+  };
+  EXPECT_EQ(merged(parts(2)).left_out, 0u);
+  EXPECT_FALSE(merged(parts(2)).interrupted);
+  // Shards that are cut in different ways, by two versions for instance, may lack cases between
+  // them.
+  EXPECT_EQ(merged(parts(1)).left_out, 2u);
+  EXPECT_TRUE(merged(parts(1)).interrupted);
 }
 
 TEST(Merge, SharesWithoutACaseAreNotMissed) {
