@@ -93,10 +93,6 @@ def drawings(rendering):
     return [{**size, **drawn} for drawn in rendering.get("passes", [rendering])]
 
 
-# Where llvmpipe's passes contradict each other.
-CONTRADICTIONS = {("egl:llvmpipe", "surfaces/snapping:surface=window:d=0.001953125")}
-
-
 # What a release's llvmpipe says of samples: the numbers that it makes, and why none can be placed.
 SAMPLES_OF_26 = ((4, 8), "this driver does not place the samples where the case asks for them")
 SAMPLES_BEFORE = ((4,), "samples cannot be placed on this driver: it lacks GL_ARB_sample_locations")
@@ -107,8 +103,6 @@ CLAMPED_OFFSET = re.compile(r"output/offset/clamp:.*clamp=(?!0:)")
 
 def known_not_run(renderer, name, samples):
     """Why one of MESA does not render a case with so many samples; none where it has to."""
-    if (renderer, name) in CONTRADICTIONS:
-        return "contradict each other"
     if renderer.endswith(":softpipe") and CLAMPED_OFFSET.match(name):
         return "polygon offsets cannot be clamped on this driver"
     if samples == 1:
