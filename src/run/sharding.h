@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "model/scene.h"
-
 #include "run/selection.h"
 
 namespace edgecase {

@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <numeric>
 #include <random>
