@@ -98,6 +98,9 @@ Json values_json(const ValueAggregate& v) {
             {"component", v.worst_component},
             {"exact", number(v.worst_exact)},
             {"rendered", number(v.worst_rendered)},
+            {"permitted", std::isnan(v.worst_low)
+                              ? Json()
+                              : Json::array({number(v.worst_low), number(v.worst_high)})},
             {"ulp", number(v.worst_ulp)}}},
           {"components", v.components},
           {"mean_ulp", number(v.mean_ulp)},

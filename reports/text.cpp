@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdint>
 
 #include "model/text.h"
@@ -154,16 +155,21 @@ std::string describe(const Disagreement& d, int samples) {
   return text + ": " + d.explanation;
 }
 
+std::string describe_permitted(const ValueAggregate& values) {
+  if (std::isnan(values.worst_low)) return "";
+  return fmt::format(", {:.9g} to {:.9g} permitted", values.worst_low, values.worst_high);
+}
+
 std::string describe(const ValueAggregate& values) {
   if (values.differing.empty())
     return fmt::format("{}: all {} values agree", values.attribute, values.compared);
   return fmt::format(
       "{}: {} of {} values differ {}, worst {:.4g} ULP at pixel ({}, {}): "
-      "{} exact, {} rendered; mean {:.3g} ULP, at most {:.3g} of the attribute's range",
+      "{} exact, {} rendered{}; mean {:.3g} ULP, at most {:.3g} of the attribute's range",
       values.attribute, values.differing.size(), values.compared,
       values.cause.empty() ? "within what is permitted" : "by " + text_of(values.cause),
       values.worst_ulp, values.worst.x, values.worst.y, values.worst_exact, values.worst_rendered,
-      values.mean_ulp, values.worst_relative);
+      describe_permitted(values), values.mean_ulp, values.worst_relative);
 }
 
 std::string describe(const FaultSeen& seen) {

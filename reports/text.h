@@ -43,6 +43,9 @@ std::string place_of(const Disagreement& disagreement, int samples);
 // samples.
 std::string describe(const Disagreement& disagreement, int samples);
 
+// ", 17 to 19 permitted"; empty where the bounds are not known.
+std::string describe_permitted(const ValueAggregate& values);
+
 // "color: 12 of 340 values differ within what is permitted, worst 1 ULP at pixel (3, 4): 0.5 exact,
 // 0.50000006 rendered".
 std::string describe(const ValueAggregate& values);

@@ -34,7 +34,8 @@ function valuesCard(v, pick) {
           "pixel (" + worst.x + ", " + worst.y + ")"),
         (v.attribute === "written samples" ? " sample " : " component ") + worst.component + ", " + short(worst.ulp) + " ULP: exact ",
         h("span.mono", {}, short(worst.exact)), ", rendered ",
-        h("span.mono", {}, short(worst.rendered))),
+        h("span.mono", {}, short(worst.rendered)), worst.permitted &&
+        ", " + short(worst.permitted[0]) + " to " + short(worst.permitted[1]) + " permitted"),
       h("p", {}, "Mean: " + short(v.mean_ulp) + " ULP over all " +
         v.components.toLocaleString("en") + " components." + (v.relative ? " At most " +
         short(v.relative) + " of the attribute's range over the vertices." : ""))),

@@ -15,6 +15,7 @@
 
 #include "diff/coverage/coverage_diff.h"
 #include "diff/coverage/legality.h"
+#include "diff/differing_planes.h"
 #include "diff/drawing_compare.h"
 #include "diff/textures/texture_lookups.h"
 #include "diff/upside_down.h"
@@ -82,6 +83,7 @@ Result compare(const Scene& scene, const ResolvedPolicy& policy, const Rendering
                const Rendering& rendered, const RendererFacts& facts) {
   const Drawing drawing{scene, policy, exact, rendered, facts};
   Result result = compare_whole(drawing, {});
+  if (!has_differences(result)) find_differing_planes(exact, rendered, result);
   read_upside_down(drawing, result);
   std::erase_if(result.values, [](const ValueAggregate& v) { return v.differing.empty(); });
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);

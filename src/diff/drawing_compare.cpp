@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <map>
@@ -19,6 +20,7 @@
 #include "diff/output/operations_compare.h"
 #include "diff/samples/sample_values.h"
 #include "diff/textures/texture_lookups.h"
+#include "diff/textures/untold_colors.h"
 #include "diff/values/pixel_values.h"
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
@@ -66,6 +68,27 @@ void mark_sample(Disagreement& d, const SamplePositions& positions) {
       mark.points = {position_of(place_in({d.x, d.y}, positions[sample]))};
 }
 
+constexpr int kRulingOnSharedPlaces = 62;
+
+// Reports the first two samples that the renderer has at one place, unless the case places them.
+void compare_places(const Target& target, const SamplePositions& reported, Result& result) {
+  if (!target.sample_positions.empty()) return;
+  for (std::size_t s = 1; s < reported.size(); ++s) {
+    const auto first = std::ranges::find(reported, reported[s]);
+    if (first == reported.begin() + static_cast<std::ptrdiff_t>(s)) continue;
+    Disagreement d =
+        value_disagreement({0, 0}, -1, RuleId::sample_positions, kRulingOnSharedPlaces);
+    d.sample = static_cast<int>(s);
+    const auto [x, y] = position_of(reported[s]);
+    d.explanation = fmt::format(
+        "samples {} and {} of each pixel lie at one place, ({}, {}) from its lower left corner, by "
+        "what the renderer reports. Ruling {}",
+        first - reported.begin(), s, x, y, kRulingOnSharedPlaces);
+    result.disagreements.push_back(std::move(d));
+    return;
+  }
+}
+
 }  // namespace
 
 Result compare_drawing(const Drawing& drawing, const AlternativeSet& refuted, Compared compared) {
@@ -89,7 +112,13 @@ Result compare_drawing(const Drawing& drawing, const AlternativeSet& refuted, Co
     if (rendered.samples > 1) values.follow(followed_rate(values, rendered));
     values.follow_limits(facts.lookups);
     values.follow_fixed_unit(followed_fixed_unit(values, rendered));
+    std::optional<UntoldColors> untold;
+    if (has_untold_colors(values, rendered)) {
+      untold.emplace(values, exact, rendered);
+      values.follow_lookups([&](const Fragment& fragment) { return untold->of(fragment); });
+    }
     compare_values(values, exact, rendered, profile, result);
+    compare_places(scene.target, rendered.sample_positions, result);
   }
   for (Disagreement& d : result.disagreements) {
     if (rendered.samples > 1)
@@ -164,6 +193,8 @@ class PassValues {
       known->worst_component = values.worst_component;
       known->worst_exact = values.worst_exact;
       known->worst_rendered = values.worst_rendered;
+      known->worst_low = values.worst_low;
+      known->worst_high = values.worst_high;
       known->worst_ulp = values.worst_ulp;
     }
     known->worst_relative = std::max(known->worst_relative, values.worst_relative);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "diff/coverage/legality.h"
+#include "diff/textures/untold_colors.h"
 #include "diff/values/pixel_values.h"
 #include "diff/values/value_diff.h"
 #include "raster/samples.h"
@@ -34,21 +35,25 @@ bool reports_all_colors(std::span<const Rendering> passes) {
   });
 }
 
-// The renderer's passes, with each colour that it does not report at one end of its permitted
-// range.
-std::vector<Rendering> with_colors(const Drawing& drawing, double Interval::*end) {
+// The renderer's passes, each colour that it does not report being `color_of` its truth.
+template <class ColorOf>
+std::vector<Rendering> with_colors(const Drawing& drawing, const ColorOf& color_of) {
   const auto& [scene, policy, exact, rendered, facts] = drawing;
   const RuleChoices& choices = policy.on(scene.target.surface);
   std::vector<Rendering> passes = rendered.passes;
   for (std::size_t k = 0; k < passes.size(); ++k) {
     const Scene pass = pass_of(scene, k);
     const std::vector<ScenePrimitive> primitives = primitives_of(pass);
-    const ValueContext values(pass, primitives, choices,
-                              latitude_bits(facts.reported_subpixel_bits), policy.latitude());
-    for (Fragment& fragment : passes[k].fragments) {
-      if (fragment.has_color) continue;
-      const PixelTruth truth = truth_of_fragment(values, fragment);
-      for (std::size_t c = 0; c < 4; ++c) fragment.color[c] = truth.permitted[c].*end;
+    ValueContext values(pass, primitives, choices, latitude_bits(facts.reported_subpixel_bits),
+                        policy.latitude());
+    values.follow_limits(facts.lookups);
+    UntoldColors untold(values, exact.passes[k], rendered.passes[k]);
+    values.follow_lookups([&](const Fragment& fragment) { return untold.of(fragment); });
+    for (std::size_t i = 0; i < passes[k].fragments.size(); ++i) {
+      const Fragment& told = rendered.passes[k].fragments[i];
+      if (told.has_color) continue;
+      const PixelTruth truth = truth_of_fragment(values, told);
+      for (std::size_t c = 0; c < 4; ++c) passes[k].fragments[i].color[c] = color_of(truth, c);
     }
   }
   return passes;
@@ -67,12 +72,17 @@ class AccumulationComparison {
       expected_ = accumulated_image(scene_, rendered_.passes, chosen_);
       return;
     }
-    permitted_ = permitted_image(with_colors(drawing, &Interval::low), chosen_);
-    const auto high = permitted_image(with_colors(drawing, &Interval::high), chosen_);
-    for (std::size_t i = 0; i < high.size(); ++i) {
-      permitted_[i] = hull(permitted_[i], high[i]);
-      expected_.push_back((permitted_[i].low + permitted_[i].high) / 2);
-    }
+    const auto colors = [&](const auto& color_of) { return with_colors(drawing, color_of); };
+    permitted_ = permitted_image(
+        colors([](const PixelTruth& truth, std::size_t c) { return accepted(truth, c).low; }),
+        chosen_);
+    const auto high = permitted_image(
+        colors([](const PixelTruth& truth, std::size_t c) { return accepted(truth, c).high; }),
+        chosen_);
+    for (std::size_t i = 0; i < high.size(); ++i) permitted_[i] = hull(permitted_[i], high[i]);
+    expected_ = accumulated_image(
+        scene_, colors([](const PixelTruth& truth, std::size_t c) { return truth.exact[c]; }),
+        chosen_);
   }
 
   void run() {
@@ -152,15 +162,16 @@ class AccumulationComparison {
       report_mean(pixel, cause);
       return;
     }
-    if (!are_colors_reported_) return;
     bool differs = false;
     for (std::size_t c = 0; c < 4; ++c) {
       const double reported = rendered_.accumulated[first + c];
       const double expected = expected_[first + c];
       if (is_nearest(reported, expected)) continue;
       differs = true;
-      aggregator.add_error({pixel.x, pixel.y, -1}, {static_cast<int>(c), expected, reported,
-                                                    error_in_ulp(expected, reported), 1});
+      ValueAggregator::Error error{static_cast<int>(c), expected, reported,
+                                   error_in_ulp(expected, reported), 1};
+      if (!are_colors_reported_) error.permitted = permitted_[first + c];
+      aggregator.add_error({pixel.x, pixel.y, -1}, error);
     }
     if (differs) aggregator.add_place({pixel.x, pixel.y, -1});
   }
@@ -232,7 +243,8 @@ class AccumulationComparison {
   const Rendering& rendered_;
   const Accumulation chosen_;
   const bool are_colors_reported_;  // all colours of fragments are reported
-  // By component of each pixel. Expected: under the choice; for colours not reported, the middle.
+  // By component of each pixel. Expected: under the choice, with exact's colours where none are
+  // reported.
   std::vector<Interval> permitted_;
   std::vector<double> expected_;
   Result& result_;

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -171,6 +172,9 @@ struct ValueAggregate {
   int worst_component = 0;
   double worst_exact = 0;
   double worst_rendered = 0;
+  // What is permitted there, both ends inclusive; NaN where only its being permitted is known.
+  double worst_low = std::numeric_limits<double>::quiet_NaN();
+  double worst_high = std::numeric_limits<double>::quiet_NaN();
   // Error in units of the last place of the value's format, for the larger of the two.
   double worst_ulp = 0;
   double mean_ulp = 0;  // over all components compared, including those without error

@@ -143,8 +143,8 @@ template <class Io, Of<ValueAggregate> T>
 void carry(Io& io, T& v) {
   carry_all(io, v.attribute, v.rule, v.ruling, v.cause, v.compared, v.components);
   carry_places(io, v.differing);
-  carry_all(io, v.worst, v.worst_component, v.worst_exact, v.worst_rendered, v.worst_ulp,
-            v.mean_ulp, v.worst_relative, v.ulp_histogram);
+  carry_all(io, v.worst, v.worst_component, v.worst_exact, v.worst_rendered, v.worst_low,
+            v.worst_high, v.worst_ulp, v.mean_ulp, v.worst_relative, v.ulp_histogram);
 }
 
 template <class Io, Of<Result::Evidence> T>

@@ -122,6 +122,10 @@ ValueAggregate to_values(const ReadJson& json) {
   values.worst_component = WholeNumber(json.at("worst_component"));
   values.worst_exact = to_number(json.at("worst_exact"));
   values.worst_rendered = to_number(json.at("worst_rendered"));
+  read_member(json, "worst_permitted", values.worst_low,
+              [](const ReadJson& range) { return to_number(range.at(0)); });
+  read_member(json, "worst_permitted", values.worst_high,
+              [](const ReadJson& range) { return to_number(range.at(1)); });
   values.worst_ulp = to_number(json.at("worst_ulp"));
   values.mean_ulp = to_number(json.at("mean_ulp"));
   values.worst_relative = to_number(json.at("worst_relative"));

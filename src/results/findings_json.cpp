@@ -208,6 +208,8 @@ void write_values(JsonWriter& json, const ValueAggregate& values) {
     json.member("worst_component", values.worst_component);
     json.member("worst_exact", values.worst_exact);
     json.member("worst_rendered", values.worst_rendered);
+    if (!std::isnan(values.worst_low))
+      json.key("worst_permitted").array(values.worst_low, values.worst_high);
     json.member("worst_ulp", values.worst_ulp);
     json.member("mean_ulp", values.mean_ulp);
     json.member("worst_relative", values.worst_relative);

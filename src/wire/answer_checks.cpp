@@ -73,6 +73,12 @@ void check_drawing(const Rendering& rendering, const Scene& scene) {
   for (const Point& position : rendering.sample_positions)
     if (position.x.floor() != 0 || position.y.floor() != 0)
       throw Refusal("a sample lies outside its pixel");
+  const SamplePositions& required = target.sample_positions;
+  if (!required.empty() && !rendering.sample_positions.empty() &&
+      rendering.sample_positions != required)
+    throw Refusal(
+        "the samples lie elsewhere than the scene requires; refuse positions that you do not "
+        "support");
   require_size("the accumulated image", rendering.accumulated.size(), 0);
   require_size("the passes", rendering.passes.size(), 0);
   check_depths(rendering.depths, target.depth);

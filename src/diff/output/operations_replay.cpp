@@ -301,7 +301,7 @@ Arrival Arrivals::arrival_of(const Fragment& fragment, std::span<const Fragment>
   arrival.operations = &context_.primitive_of(fragment).state->operations;
   const PixelTruth truth = truth_of_fragment(context_, fragment);
   arrival.color = truth.exact;
-  arrival.permitted_color = truth.permitted;
+  for (std::size_t c = 0; c < 4; ++c) arrival.permitted_color[c] = accepted(truth, c);
   if (context_.scene.target.depth != DepthFormat::none) set_depth(arrival, sample, choice, tracked);
   if (arrival.operations->stencil) set_facing(arrival, choice);
   if (is_thinned(context_, fragment)) set_kept(arrival, at_pixel, sample, choice);

@@ -85,7 +85,7 @@ class Inference {
       const PixelTruth truth =
           writer != nullptr ? truth_of_fragment(context_, *writer) : truth_of_clear(context_.scene);
       for (std::size_t c = 0; c < 4; ++c) {
-        const Unorm8Range range = unorm8_permitted(truth.permitted[c]);
+        const Unorm8Range range = unorm8_permitted(accepted(truth, c));
         std::uint8_t& low = planes_.low[index + c];
         std::uint8_t& high = planes_.high[index + c];
         low = static_cast<std::uint8_t>(std::min<int>(low, range.low));

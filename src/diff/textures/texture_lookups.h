@@ -82,6 +82,10 @@ bool hold(const Boxes& boxes, const LookupNumbers& numbers);
 // Describes the smallest box around all others: "1 to 2, 0.5 to 0.75".
 std::string describe_range(const Boxes& boxes);
 
+// The rulings that contest what coarse samplers look up (Reach::coarse, Reach::coarse_srgb).
+inline constexpr int kRulingOnPrecision = 50;
+inline constexpr int kRulingOnSrgb = 53;
+
 class TextureLookups {
  public:
   // Everything referred to must outlive this.
@@ -175,6 +179,7 @@ class TextureLookups {
                         const Gradients& gradients, const ProbeRow& row) const;
   bool has_unknown_coordinates(const Fragment& fragment) const;
   bool has_unknown_chain(const Fragment& fragment) const;
+  Texel texels_of_unknown_chain(const Fragment& fragment) const;
 
   const ValueContext& context_;
   const Rendering& rendered_;

@@ -52,8 +52,6 @@ double error_of(double exact, double rendered) {
 
 constexpr int kRulingOnAnisotropy = 23;
 constexpr int kRulingOnAnisotropicHull = 57;
-constexpr int kRulingOnPrecision = 50;
-constexpr int kRulingOnSrgb = 53;
 
 using WaysOfLevels = std::map<const Fragment*, TextureWay>;
 

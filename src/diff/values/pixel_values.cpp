@@ -24,12 +24,27 @@
 namespace edgecase {
 namespace {
 
-bool is_stored(const std::uint8_t* pixel, const PixelTruth& truth) {
+bool is_within(const std::uint8_t* pixel, const std::array<Interval, 4>& bounds) {
   for (std::size_t c = 0; c < 4; ++c) {
-    const Unorm8Range range = unorm8_permitted(truth.permitted[c]);
+    const Unorm8Range range = unorm8_permitted(bounds[c]);
     if (pixel[c] < range.low || pixel[c] > range.high) return false;
   }
   return true;
+}
+
+bool is_stored(const std::uint8_t* pixel, const PixelTruth& truth) {
+  return is_within(pixel, truth.permitted);
+}
+
+// "0 to 3, 255, 17 to 19, 255"
+std::string codes_of(const PixelTruth& truth) {
+  std::string text;
+  for (const Interval& component : truth.permitted) {
+    const Unorm8Range range = unorm8_permitted(component);
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", range.low);
+    if (range.high != range.low) text += fmt::format(" to {}", range.high);
+  }
+  return text;
 }
 
 class PixelComparison {
@@ -104,7 +119,7 @@ class PixelComparison {
     };
     const auto found = std::ranges::find_if(writers, holds_color_of);
     if (found != writers.end()) {
-      aggregate(pixel, *found != nullptr ? (*found)->primitive : -1, truth_of(*found), stored);
+      aggregate(pixel, *found, stored);
       return;
     }
     report(pixel, sample, fragments, writers.front(), stored, result);
@@ -145,16 +160,20 @@ class PixelComparison {
     return {};
   }
 
-  void aggregate(PixelPosition pixel, int primitive, const PixelTruth& truth,
-                 const std::uint8_t* stored) {
-    const ValueAggregate::Place place{pixel.x, pixel.y, primitive};
+  void aggregate(PixelPosition pixel, const Fragment* writer, const std::uint8_t* stored) {
+    const PixelTruth truth = truth_of(writer);
+    const bool is_told = writer == nullptr || writer->has_color;
+    const ValueAggregate::Place place{pixel.x, pixel.y, writer == nullptr ? -1 : writer->primitive};
     bool differs = false;
     for (std::size_t c = 0; c < 4; ++c) {
       if (stored[c] == to_unorm8(truth.exact[c])) continue;
       differs = true;
       const double exact = truth.exact[c] * 255;
-      aggregator_.add_error(place, {static_cast<int>(c), exact, static_cast<double>(stored[c]),
-                                    std::fabs(stored[c] - exact), 255});
+      ValueAggregator::Error error{static_cast<int>(c), exact, static_cast<double>(stored[c]),
+                                   std::fabs(stored[c] - exact), 255};
+      const Unorm8Range codes = unorm8_permitted(truth.permitted[c]);
+      if (!is_told) error.permitted = Interval(codes.low, codes.high);
+      aggregator_.add_error(place, error);
     }
     if (differs) aggregator_.add_place(place);
   }
@@ -179,6 +198,12 @@ class PixelComparison {
     Disagreement d = earlier != nullptr
                          ? value_disagreement(pixel, -1, RuleId::framebuffer_order, 11)
                          : value_disagreement(pixel, -1, RuleId::framebuffer_unorm8, 10);
+    const auto contested = std::ranges::find_if(
+        truth.contested, [&](const auto& more) { return is_within(stored, more.bounds); });
+    if (earlier == nullptr && contested != truth.contested.end()) {
+      d.rule = contested->rule;
+      d.ruling = contested->ruling;
+    }
     d.sample = sample;
     for (std::size_t c = 0; c < 4; ++c) {
       d.exact.push_back(to_unorm8(truth.exact[c]));
@@ -193,6 +218,9 @@ class PixelComparison {
       note = fmt::format("; that is the colour of primitive {}, drawn earlier", earlier->primitive);
     else if (last != nullptr && is_stored(stored, clear_))
       note = "; that is the clear colour";
+    if (last != nullptr && !last->has_color)
+      note += fmt::format(". The fragment does not tell its colour; the specification permits {}",
+                          codes_of(truth));
     d.explanation = fmt::format("the {} should hold {}, ({}); it holds ({}){}",
                                 is_multisampled() ? fmt::format("sample {}", sample) : "pixel",
                                 what, fmt::join(d.exact, ", "), fmt::join(d.rendered, ", "), note);
@@ -226,6 +254,12 @@ PixelTruth truth_of_clear(const Scene& scene) {
   return truth;
 }
 
+Interval accepted(const PixelTruth& truth, std::size_t component) {
+  Interval all = truth.permitted[component];
+  for (const PixelTruth::Contested& more : truth.contested) all = hull(all, more.bounds[component]);
+  return all;
+}
+
 bool may_fade(const ValueContext& context, const Fragment& fragment) {
   const ScenePrimitive& primitive = context.primitive_of(fragment);
   return primitive.kind == PrimitiveKind::point &&
@@ -248,9 +282,9 @@ PixelTruth truth_of_fragment(const ValueContext& context, const Fragment& fragme
     truth.permitted[3] = with_fade(context, fragment, truth.permitted[3]);
     return truth;
   }
-  // The colours that a texture gives are judged where they are reported.
   if (context.primitive_of(fragment).state->texture) {
-    truth.permitted.fill(Interval::everything());
+    truth = context.looked_up(fragment);
+    truth.permitted[3] = with_fade(context, fragment, truth.permitted[3]);
     return truth;
   }
   const PrimitiveValues& values = context.values_of(fragment);

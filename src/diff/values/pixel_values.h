@@ -3,23 +3,20 @@
 // The colour that a pixel should hold, by the renderer's own fragments.
 #pragma once
 
-#include <array>
+#include <cstddef>
 
+#include "diff/values/pixel_truth.h"
 #include "diff/values/value_diff.h"
-#include "exact/interval.h"
 
 namespace edgecase {
-
-// Component by component, before conversion to 8 bits.
-struct PixelTruth {
-  std::array<double, 4> exact{};
-  std::array<Interval, 4> permitted{};
-};
 
 PixelTruth truth_of_clear(const Scene& scene);
 
 // The colour that the renderer reported, or all that it may have had if it reported none.
 PixelTruth truth_of_fragment(const ValueContext& context, const Fragment& fragment);
+
+// The permitted component, with all that a contested ruling accepts.
+Interval accepted(const PixelTruth& truth, std::size_t component);
 
 // True if a fragment's alpha may be changed after the shader: that of a multisampled point smaller
 // than the fade threshold, which is 1, may be multiplied by the square of the size (GL 4.6 core,

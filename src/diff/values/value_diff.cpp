@@ -58,6 +58,13 @@ ValueContext::ValueContext(const Scene& of, std::span<const ScenePrimitive> all,
       positions_(positions_of(of.target, CoverageChoice{}, reported)),
       values_(all.size()) {}
 
+PixelTruth ValueContext::looked_up(const Fragment& fragment) const {
+  if (looked_up_) return looked_up_(fragment);
+  PixelTruth unknown;
+  unknown.permitted.fill(Interval::everything());
+  return unknown;
+}
+
 const ScenePrimitive& ValueContext::primitive_of(const Fragment& fragment) const {
   return primitives[static_cast<std::size_t>(fragment.primitive)];
 }
@@ -273,6 +280,9 @@ void ValueAggregator::add_error(ValueAggregate::Place place, const Error& error)
   aggregate_.worst_exact = error.exact;
   aggregate_.worst_rendered = error.rendered;
   aggregate_.worst_ulp = error.ulp;
+  const Interval unknown = std::numeric_limits<double>::quiet_NaN();
+  aggregate_.worst_low = error.permitted.value_or(unknown).low;
+  aggregate_.worst_high = error.permitted.value_or(unknown).high;
 }
 
 void ValueAggregator::flush(Result& result) {

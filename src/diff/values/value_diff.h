@@ -7,12 +7,15 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "diff/values/pixel_truth.h"
 #include "exact/fixed.h"
 #include "model/policy.h"
 #include "model/rendering.h"
@@ -61,6 +64,11 @@ class ValueContext {
   // The limits that the renderer reports for its levels of detail.
   void follow_limits(const LookupLimits& limits) { lookup_limits_ = limits; }
   const LookupLimits& lookup_limits() const { return lookup_limits_; }
+  // The colours of textured fragments whose colours the renderer does not tell.
+  void follow_lookups(std::function<PixelTruth(const Fragment&)> looked_up) {
+    looked_up_ = std::move(looked_up);
+  }
+  PixelTruth looked_up(const Fragment& fragment) const;
 
   const Scene& scene;
   std::span<const ScenePrimitive> primitives;
@@ -96,6 +104,7 @@ class ValueContext {
   ShadingRate rate_;
   Interval fixed_unit_;
   LookupLimits lookup_limits_;
+  std::function<PixelTruth(const Fragment&)> looked_up_;
   SamplePositions positions_;
   // Computed on demand for each primitive; some kilobytes each.
   mutable std::vector<std::unique_ptr<PrimitiveValues>> values_;
@@ -183,6 +192,7 @@ class ValueAggregator {
     double rendered = 0;
     double ulp = 0;
     double range = 0;
+    std::optional<Interval> permitted{};  // where no fragment tells the value
   };
   void add_error(ValueAggregate::Place place, const Error& error);
   void add_place(ValueAggregate::Place place) { aggregate_.differing.push_back(place); }

@@ -155,7 +155,11 @@ Rule sample_positions_rule() {
         "(14.3.1): a sample breaks this ruling if it would be covered, or not, as the renderer "
         "has it, elsewhere in its pixel or less than a pixel beyond it; a difference that no "
         "such position explains breaks the others. A hole in a shared edge breaks this ruling, "
-        "too, where some such position lies beyond the two triangles."}}};
+        "too, where some such position lies beyond the two triangles."},
+       {62,
+        "Contested: two samples of a pixel lie at one place, which the case does not ask for. "
+        "OpenGL leaves the places to the renderer; the Khronos tests want at least one shade more "
+        "than there are samples along edges, which samples at one place do not give."}}};
 }
 
 }  // namespace edgecase

@@ -185,10 +185,6 @@ void add_samples_sources(std::map<int, RulingSource>& of) {
             .quotation =
                 "If the source formats are floating-point or normalized types, the sample values "
                 "for each pixel are resolved in an implementation-dependent manner",
-            .basis = Basis::contested,
-            .contest =
-                "the letter leaves the method to the implementation; the Khronos tests do not "
-                "pass what is farther off",
             .khronos =
                 "dEQP-GLES3.functional.fbo.msaa.* (es3fFboMultisampleTests.cpp): resolved image "
                 "compared with the image of the reference, threshold 12/255 and more; uniform "
@@ -209,6 +205,20 @@ void add_samples_sources(std::map<int, RulingSource>& of) {
                 "alpha grows, 0 makes black, 1 makes all red; constancy_alpha_to_coverage: same "
                 "alpha and pixel, same mask",
             .es = "15.1.1: same, no alpha to one; 13.8.3 same intent"};
+
+  of[62] = {.clause = "14.3.1 (Multisampling)",
+            .quotation = "Their locations cannot be queried, and may lie inside or outside",
+            .basis = Basis::contested,
+            .contest =
+                "the letter leaves the places of samples to the renderer, and does not say that "
+                "they differ; the Khronos tests count shades along edges",
+            .khronos =
+                "dEQP-GLES3.functional.multisample.*.num_samples (es3fMultisampleTests.cpp): "
+                "polygons and lines show at least samples + 1 shades, else fail, or a quality "
+                "warning on large targets; "
+                "dEQP-GLES31.functional.shaders.sample_variables.sample_pos.distribution: not all "
+                "samples at one place",
+            .es = "13.4: same words"};
 }
 
 }  // namespace edgecase

@@ -73,8 +73,8 @@ TEST(SampleJudging, AResolveThatTruncatesIsAConvention) {
   EXPECT_EQ(causes_of(result), std::set<std::string>{"sample.resolve=truncated"});
 }
 
-// 18.3.1 leaves colours to the implementation; what the Khronos tests would not take is contested.
-TEST(SampleJudging, AResolveFarBeyondItsSamplesIsContested) {
+// 18.3.1 leaves the method to the implementation, and the Khronos tests accept 12 codes: no more.
+TEST(SampleJudging, AResolveFarBeyondItsSamplesIsAViolation) {
   const Scene scene = partly_covered();
   const Rendering exact = rasterize(scene, {});
   // A pixel that nothing covers holds the clear colour in all samples, and so do its neighbours.
@@ -86,9 +86,47 @@ TEST(SampleJudging, AResolveFarBeyondItsSamplesIsContested) {
   };
   EXPECT_EQ(resolved_to(12).verdict, Verdict::permitted);
   const Result beyond = resolved_to(13);
+  EXPECT_EQ(beyond.verdict, Verdict::violation);
   EXPECT_EQ(rules_of(beyond), std::set<std::string>{"sample.resolve"});
   ASSERT_EQ(beyond.disagreements.size(), 1u);
   EXPECT_EQ(beyond.disagreements[0].ruling, 51);
+}
+
+// Whatever a renderer tells of its samples: a picture that is black, white or inverted.
+TEST(SampleJudging, AResolvedPictureOfOtherColoursIsAViolation) {
+  const Scene scene = partly_covered();
+  const Rendering exact = rasterize(scene, {});
+  const auto with = [&](const auto& code_of, bool tells_samples) {
+    Rendering rendering = exact;
+    std::ranges::transform(rendering.pixels, rendering.pixels.begin(), code_of);
+    if (!tells_samples) rendering.sample_pixels.clear();
+    return judged(scene, rendering).verdict;
+  };
+  for (const bool tells_samples : {true, false}) {
+    const auto constant = [](int code) {
+      return [code](std::uint8_t) { return static_cast<std::uint8_t>(code); };
+    };
+    EXPECT_EQ(with(constant(0), tells_samples), Verdict::violation);
+    EXPECT_EQ(with(constant(255), tells_samples), Verdict::violation);
+    EXPECT_EQ(with([](std::uint8_t code) { return static_cast<std::uint8_t>(255 - code); },
+                   tells_samples),
+              Verdict::violation);
+  }
+}
+
+// Where a case leaves the places to the renderer, two samples at one place give fewer shades along
+// edges than the Khronos tests want. Whoever tells such places, and draws so, is contested.
+TEST(SampleJudging, SamplesThatShareAPlaceAreContested) {
+  Scene scene = partly_covered();
+  SamplePositions shared = standard_pattern(scene.target.samples);
+  shared[2] = shared[0];
+  const Result result = judged(scene, rasterize(scene, {}, shared));
+  EXPECT_EQ(result.verdict, Verdict::contested);
+  ASSERT_EQ(result.disagreements.size(), 1u);
+  EXPECT_EQ(result.disagreements[0].ruling, 62);
+  EXPECT_EQ(result.disagreements[0].sample, 2);
+  scene.target.sample_positions = shared;
+  EXPECT_EQ(judged(scene, rasterize(scene, {}, shared)).verdict, Verdict::agree);
 }
 
 // Columns of pixels that are covered wholly, each with an alpha of its own, and how many samples of

@@ -38,7 +38,7 @@ TEST(UnreportedSamples, ATruncatingResolveOfUnreportedSamplesIsAConvention) {
   EXPECT_EQ(causes_of(result), std::set<std::string>{"sample.resolve=truncated"});
 }
 
-TEST(UnreportedSamples, AResolveBeyondUnreportedSamplesIsContested) {
+TEST(UnreportedSamples, AResolveBeyondUnreportedSamplesIsAViolation) {
   const Scene scene = partly_covered();
   const Rendering right = without_samples(rasterize(scene, {}));
   // Of pixels that no fragment covers, that one fragment covers in part, and that it covers wholly.
@@ -51,7 +51,7 @@ TEST(UnreportedSamples, AResolveBeyondUnreportedSamplesIsContested) {
     Rendering rendering = right;
     rendering.pixels[4 * pixel + 3] = 0;
     const Result result = judged(scene, rendering);
-    EXPECT_EQ(result.verdict, Verdict::contested);
+    EXPECT_EQ(result.verdict, Verdict::violation);
     EXPECT_EQ(rules_of(result), std::set<std::string>{"sample.resolve"});
     EXPECT_EQ(result.disagreements.size(), 1U);
   }

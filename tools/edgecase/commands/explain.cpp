@@ -118,11 +118,12 @@ void print_disagreement(const Disagreement& d, int samples) {
 void print_values(const ValueAggregate& values) {
   fmt::print(
       "  {}: {} of {} differ inside what ruling {} permits{}; worst {:.3g} ULP at ({}, {}), "
-      "exactly {:.9g}, rendered {:.9g}; mean {:.3g} ULP, at most {:.3g} of the attribute's range\n",
+      "exactly {:.9g}, rendered {:.9g}{}; mean {:.3g} ULP, at most {:.3g} of the attribute's "
+      "range\n",
       values.attribute, values.differing.size(), values.compared, values.ruling,
       values.cause.empty() ? "" : ", by " + text_of(values.cause), values.worst_ulp, values.worst.x,
-      values.worst.y, values.worst_exact, values.worst_rendered, values.mean_ulp,
-      values.worst_relative);
+      values.worst.y, values.worst_exact, values.worst_rendered, describe_permitted(values),
+      values.mean_ulp, values.worst_relative);
 }
 
 void print_result(const Result& result, const RendererInfo& info, std::optional<Pixel> pixel,
