@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -43,19 +44,26 @@ class HitComparison {
   }
 
  private:
+  // Calls `visit` with each pixel and its fragments, by row and column.
   template <class Visit>
-  bool for_each_sample(const Visit& visit) const {
+  bool for_each_pixel(const Visit& visit) const {
     auto next = rendered_.fragments.begin();
     for (int y = 0; y < rendered_.height; ++y) {
       for (int x = 0; x < rendered_.width; ++x) {
         const auto first = next;
         while (next != rendered_.fragments.end() && next->x == x && next->y == y) ++next;
-        for (int sample = 0; sample < rendered_.samples; ++sample)
-          if (!visit(PixelPosition{x, y}, std::span<const Fragment>(first, next), sample))
-            return false;
+        if (!visit(PixelPosition{x, y}, std::span<const Fragment>(first, next))) return false;
       }
     }
     return true;
+  }
+  template <class Visit>
+  bool for_each_sample(const Visit& visit) const {
+    return for_each_pixel([&](PixelPosition pixel, std::span<const Fragment> fragments) {
+      for (int sample = 0; sample < rendered_.samples; ++sample)
+        if (!visit(pixel, fragments, sample)) return false;
+      return true;
+    });
   }
 
   // A pixel whose only fragment covers all samples, and how many of them it kept.
@@ -78,15 +86,11 @@ class HitComparison {
   // keep different samples of a pixel.
   void judge_masks(Result& result) const {
     std::vector<WholePixel> whole;
-    for_each_sample([&](PixelPosition pixel, std::span<const Fragment> fragments, int sample) {
+    for_each_pixel([&](PixelPosition pixel, std::span<const Fragment> fragments) {
       if (!have_one_alpha(fragments)) return true;
-      const std::uint32_t hits = hits_at(pixel, sample);
-      if (hits != 0 && hits != fragments.size()) {
-        report_two_masks(pixel, fragments, sample, hits, result);
-      } else if (fragments.size() == 1) {
-        if (sample == 0) whole.push_back({pixel, fragments.front().color[3], 0});
-        whole.back().kept += hits != 0 ? 1 : 0;
-      }
+      const std::optional<int> kept = kept_samples(pixel, fragments, result);
+      if (kept && fragments.size() == 1)
+        whole.push_back({pixel, fragments.front().color[3], *kept});
       return true;
     });
     const int ruling = falls_with_alpha(whole) ? kAlphaRuling : kProportionRuling;
@@ -95,6 +99,23 @@ class HitComparison {
       if (!is_end && !is_proportional(one.alpha, one.kept, rendered_.samples))
         report_proportion(one, ruling, result);
     }
+  }
+
+  // The number of samples that were written by all fragments of a pixel, which have one alpha;
+  // nothing if some sample was not written by all or by none of them, which is reported. More hits
+  // than fragments are reported as such.
+  std::optional<int> kept_samples(PixelPosition pixel, std::span<const Fragment> fragments,
+                                  Result& result) const {
+    int kept = 0;
+    bool is_one_mask = true;
+    for (int sample = 0; sample < rendered_.samples; ++sample) {
+      const std::uint32_t hits = hits_at(pixel, sample);
+      if (hits == fragments.size()) ++kept;
+      if (hits == 0 || hits == fragments.size()) continue;
+      is_one_mask = false;
+      if (hits < fragments.size()) report_two_masks(pixel, fragments, sample, hits, result);
+    }
+    return is_one_mask ? std::optional(kept) : std::nullopt;
   }
 
   // True if the mean number of kept samples falls from an alpha to a larger one.

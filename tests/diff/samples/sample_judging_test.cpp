@@ -129,9 +129,9 @@ TEST(SampleJudging, SamplesThatShareAPlaceAreContested) {
   EXPECT_EQ(judged(scene, rasterize(scene, {}, shared)).verdict, Verdict::agree);
 }
 
-// Columns of pixels that are covered wholly, each with an alpha of its own, and how many samples of
-// four each keeps.
-Result with_kept(const std::vector<float>& alphas, const std::vector<int>& kept) {
+// Squares of 2x2 pixels of four samples, each with an alpha of its own. Of each square the pixels
+// on the diagonal are covered by one fragment as a whole.
+Scene squares_with(const std::vector<float>& alphas) {
   Scene scene = multisampled_scene(8, 4, Primitive::triangles, {});
   scene.draws.clear();
   for (std::size_t i = 0; i < alphas.size(); ++i) {
@@ -145,6 +145,11 @@ Result with_kept(const std::vector<float>& alphas, const std::vector<int>& kept)
     for (Vertex& vertex : draw.vertices) vertex.color = {1, 1, 1, alphas[i]};
     scene.draws.push_back(draw);
   }
+  return scene;
+}
+
+// A renderer that tells how often samples were written, of which each square keeps so many.
+Rendering kept_of(const Scene& scene, const std::vector<int>& kept) {
   Rendering rendering = rasterize(scene, {});
   for (const Fragment& f : rendering.fragments) {
     if (f.coverage != 15) continue;
@@ -154,7 +159,12 @@ Result with_kept(const std::vector<float>& alphas, const std::vector<int>& kept)
   }
   rendering.sample_pixels.clear();
   rendering.pixels.clear();
-  return judged(scene, rendering);
+  return rendering;
+}
+
+Result with_kept(const std::vector<float>& alphas, const std::vector<int>& kept) {
+  const Scene scene = squares_with(alphas);
+  return judged(scene, kept_of(scene, kept));
 }
 
 // 17.3.1: the number of samples has the properties of proportionality of 14.9.3, which are intended
@@ -167,6 +177,22 @@ TEST(SampleJudging, SamplesThatAlphaKeepsAreProportional) {
   EXPECT_EQ(rulings_of(with_kept(alphas, {4, 4, 4})), std::set<int>{52});
   // Numbers that fall as alpha grows have nothing of it.
   EXPECT_EQ(rulings_of(with_kept(alphas, {4, 2, 0})), std::set<int>{33});
+}
+
+// The pixel's other samples are not counted for its neighbour, or for no pixel at all.
+TEST(SampleJudging, OneHitTooManyIsToldOfItsSampleAlone) {
+  const Scene scene = squares_with({0.5F});
+  for (const PixelPosition pixel : {PixelPosition{0, 0}, {1, 1}}) {
+    Rendering rendering = kept_of(scene, {2});
+    for (int sample = 0; sample < 4; ++sample)
+      rendering.hits[rendering.sample_index(pixel.x, pixel.y, sample)] = sample == 0 ? 2 : 1;
+    const Result result = judged(scene, rendering);
+    ASSERT_EQ(result.disagreements.size(), 1u);
+    const Disagreement& d = result.disagreements.front();
+    EXPECT_EQ(PixelPosition(d.x, d.y), pixel);
+    EXPECT_EQ(d.sample, 0);
+    EXPECT_EQ(d.rendered, std::vector<double>{2});
+  }
 }
 
 TEST(SampleJudging, ACentroidAtTheCentreIsAViolation) {
