@@ -5,6 +5,7 @@
 const FAILURES = {
   crashed: "The renderer crashed", "timed-out": "The renderer gave no answer in time",
   garbage: "The renderer answered what nobody can read", unsupported: "The renderer lacks something",
+  internal: "Edgecase itself failed",
 };
 const KIND_WORDS = {
   missing: "fragments are missing", extra: "fragments too many", duplicate: "fragments drawn twice",

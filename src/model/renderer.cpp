@@ -12,6 +12,13 @@ bool is_letter_or_digit(char c) {
 
 }  // namespace
 
+Failure internal_failure(const std::string& id, const std::exception& thrown) {
+  return {
+      FailureKind::internal,
+      "edgecase itself failed in the case " + id + " (" + thrown.what() +
+          "), which is no fault of the renderer: please report it with the case and the answer"};
+}
+
 bool is_own_name(std::string_view name) {
   constexpr std::size_t kMost = 64;
   return !name.empty() && name.size() <= kMost && name != "exact" && is_letter_or_digit(name[0]) &&

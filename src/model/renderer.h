@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <map>
 #include <span>
@@ -46,6 +47,7 @@ enum class FailureKind {
   timed_out,    // no answer in time
   garbage,      // the answer is no rendering of this scene
   unavailable,  // it could not be started
+  internal,     // edgecase itself failed, in drawing or comparing: no fault of the renderer
 };
 template <>
 inline constexpr auto kNames<FailureKind> =
@@ -53,13 +55,17 @@ inline constexpr auto kNames<FailureKind> =
                                        {FailureKind::crashed, "crashed"},
                                        {FailureKind::timed_out, "timed-out"},
                                        {FailureKind::garbage, "garbage"},
-                                       {FailureKind::unavailable, "unavailable"}});
+                                       {FailureKind::unavailable, "unavailable"},
+                                       {FailureKind::internal, "internal"}});
 
 // Why a scene has no rendering: one sentence for people.
 struct Failure {
   FailureKind kind = FailureKind::unsupported;
   std::string reason;
 };
+
+// A fault of this program, in a case of this id: what was thrown, and the wish that it be reported.
+Failure internal_failure(const std::string& id, const std::exception& thrown);
 
 using Outcome = std::variant<Rendering, Failure>;
 

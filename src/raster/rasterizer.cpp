@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <optional>
 #include <span>
 #include <utility>
@@ -175,7 +176,14 @@ ExactRenderer::ExactRenderer(const Policy& policy)
             .traits = {}} {}
 
 void ExactRenderer::render(std::span<const Task> tasks, const OutcomeSink& sink) {
-  for (std::size_t i = 0; i < tasks.size(); ++i) sink(i, rasterize(*tasks[i].scene, policy_));
+  const auto outcome_of = [&](const Task& task) -> Outcome {
+    try {
+      return rasterize(*task.scene, policy_);
+    } catch (const std::exception& thrown) {  // too little memory, for instance
+      return internal_failure(task.id, thrown);
+    }
+  };
+  for (std::size_t i = 0; i < tasks.size(); ++i) sink(i, outcome_of(tasks[i]));
 }
 
 ExactDrawing::ExactDrawing(std::span<const Scene> layers, const ResolvedPolicy& policy)

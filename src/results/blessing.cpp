@@ -72,8 +72,11 @@ class Blessing {
   void gather(std::size_t at) {
     const ResultOutline& answer = results_.cases.outline(at).answers[index_];
     if (answer.standing != Standing::unexpected) return;
-    // A renderer that was unavailable shows nothing about the driver.
-    if (answer.failure && answer.failure->kind == FailureKind::unavailable) return;
+    // A renderer that was unavailable shows nothing about the driver, and neither does a fault of
+    // ours.
+    if (answer.failure && (answer.failure->kind == FailureKind::unavailable ||
+                           answer.failure->kind == FailureKind::internal))
+      return;
     const CaseResults one = results_.cases[at];
     const Result& result = one.results[index_];
     if (result.failure) {

@@ -2,6 +2,7 @@
 #include "run/comparing.h"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 #include <variant>
 
@@ -43,7 +44,15 @@ const ExactSide& CaseComparison::exact(std::size_t index, const Scene& scene) {
 Result CaseComparison::compare_outcome(std::size_t index, const Case& one, Outcome outcome,
                                        const RendererInfo& info) {
   if (auto* failure = std::get_if<Failure>(&outcome)) return not_run(std::move(*failure));
-  const auto& rendering = std::get<Rendering>(outcome);
+  try {
+    return compare_rendering(index, one, std::get<Rendering>(outcome), info);
+  } catch (const std::exception& error) {
+    return not_run(internal_failure(one.id, error));
+  }
+}
+
+Result CaseComparison::compare_rendering(std::size_t index, const Case& one,
+                                         const Rendering& rendering, const RendererInfo& info) {
   RendererFacts facts = facts_of(info, profiles_of(profiles_, info.name).resolved(info));
   facts.likely_first = likely_first_;
   Result result = compare_with_exact(index, one.scene, rendering, facts);

@@ -37,11 +37,14 @@ class CaseComparison {
   // Frees the exact rendering of a case for which exact() is not called any more.
   void forget(std::size_t index) { exact_[index].reset(); }
 
-  // Compares the answer of renderer `info` to the case, which is the one at `index`.
+  // Compares the answer of renderer `info` to the case, which is the one at `index`. What fails in
+  // comparing costs this answer alone: it is not run, by a fault of ours.
   Result compare_outcome(std::size_t index, const Case& one, Outcome outcome,
                          const RendererInfo& info);
 
  private:
+  Result compare_rendering(std::size_t index, const Case& one, const Rendering& rendering,
+                           const RendererInfo& info);
   Result compare_with_exact(std::size_t index, const Scene& scene, const Rendering& rendering,
                             const RendererFacts& facts);
 

@@ -51,7 +51,7 @@ bool has_answered(const Results& results, std::size_t index) {
   return std::ranges::any_of(results.cases.outlines(), [&](const CaseOutline& one) {
     const auto& failure = one.answers[index].failure;
     return !failure || failure->kind == FailureKind::unsupported ||
-           failure->kind == FailureKind::garbage;
+           failure->kind == FailureKind::garbage || failure->kind == FailureKind::internal;
   });
 }
 

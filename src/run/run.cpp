@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <deque>
+#include <exception>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -210,14 +211,29 @@ class Run {
       shelved_[index].emplace(std::move(kept));
       return;
     }
-    CaseResults one = describe(index, answered);
+    CaseResults one = describe(answered);
+    describe_exact(index, answered, one);
     comparison_.forget(index);
     one.results.reserve(infos_.size());
     for (std::size_t r = 0; r < infos_.size(); ++r)
       one.results.push_back(answers[r]->is_kept ? earlier_->result(answered.id, r)
                                                 : std::move(answers[r]->result));
-    read_and_judge(one);
+    try {
+      shelve(index, one);
+    } catch (const ShelfError&) {
+      throw;
+    } catch (const std::exception& error) {
+      // Its results are too large, for instance: they alone are lost.
+      for (Result& result : one.results)
+        if (!result.failure) result = not_run(internal_failure(one.id, error));
+      shelve(index, one);
+    }
+  }
+
+  void shelve(std::size_t index, CaseResults& one) {
+    judge_alone(one, options_.policy.latitude);
     shelved_[index].emplace(one, shelf_);
+    readers_.add(one);
   }
 
   // While it is at hand.
@@ -226,9 +242,7 @@ class Run {
     judge_alone(one, options_.policy.latitude);
   }
 
-  CaseResults describe(std::size_t index, const Case& one) {
-    const ExactSide& side = comparison_.exact(index, one.scene);
-    const Rendering& exact = side.rendering;
+  CaseResults describe(const Case& one) {
     CaseResults result;
     result.id = one.id;
     result.title = one.title;
@@ -240,19 +254,29 @@ class Run {
     result.file = one.file.generic_string();
     result.file_digest = digest_of_source(one);
     result.surface = name_of(one.scene.target.surface);
-    result.width = exact.width;
-    result.height = exact.height;
+    result.width = one.scene.target.width;
+    result.height = one.scene.target.height;
     const Viewport& seen = one.scene.viewport;
     if (std::tuple(seen.x, seen.y, seen.width, seen.height) !=
-        std::tuple(0, 0, exact.width, exact.height))
+        std::tuple(0, 0, result.width, result.height))
       result.viewport = seen;
-    result.pixels = side.pixels;
-    result.samples = side.samples;
-    result.fragments = exact.fragments.size();
-    for (const Rendering& pass : exact.passes) result.fragments += pass.fragments.size();
     result.figure = scene_figure(one.scene);
-    result.expect_failures = unmet_drawings(one, options_.policy.name, exact);
     return result;
+  }
+
+  // What exact makes of a case. Where it fails, each answer that was held against it says so.
+  void describe_exact(std::size_t index, const Case& one, CaseResults& result) {
+    try {
+      const ExactSide& side = comparison_.exact(index, one.scene);
+      const Rendering& exact = side.rendering;
+      result.pixels = side.pixels;
+      result.samples = side.samples;
+      result.fragments = exact.fragments.size();
+      for (const Rendering& pass : exact.passes) result.fragments += pass.fragments.size();
+      result.expect_failures = unmet_drawings(one, options_.policy.name, exact);
+    } catch (const std::exception& error) {
+      result.expect_failures = {internal_failure(one.id, error).reason};
+    }
   }
 
   CaseList take_complete_cases() {

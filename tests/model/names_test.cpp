@@ -68,7 +68,7 @@ TEST(Names, OfKindsRolesAndFailuresAreDistinct) {
                              MarkRole::region, MarkRole::owned, MarkRole::sample, MarkRole::edge});
   expect_distinct<FailureKind>({FailureKind::unsupported, FailureKind::crashed,
                                 FailureKind::timed_out, FailureKind::garbage,
-                                FailureKind::unavailable});
+                                FailureKind::unavailable, FailureKind::internal});
 }
 
 }  // namespace

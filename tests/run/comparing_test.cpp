@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "run/comparing.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+
+#include <optional>
+#include <sstream>
+#include <variant>
 
 #include "raster/rasterizer.h"
+#include "results/results_json.h"
 
 namespace edgecase {
 namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 // A suite of one case: a triangle in a target of so many samples.
 Suite suite_of(int samples) {
@@ -79,6 +87,47 @@ TEST(CaseComparison, SharesWithExactWhereTheSamplesAreTheRenderers) {
   EXPECT_TRUE(is_same_object(result.pixels, result.exact_pixels));
   EXPECT_TRUE(is_same_object(result.samples.coverage, result.exact_samples.coverage));
   EXPECT_NE(result.samples.coverage, comparison.exact(0, asked.scene).samples.coverage);
+}
+
+// The same case with a target for which there is no memory; no case file may ask for it.
+Case without_memory(Case one) {
+  one.id = "without-memory";
+  one.scene.target.width = one.scene.target.height = 1 << 24;
+  return one;
+}
+
+void expect_internal(const std::optional<Failure>& failure) {
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_EQ(failure->kind, FailureKind::internal);
+  EXPECT_THAT(failure->reason, AllOf(HasSubstr("without-memory"), HasSubstr("please report it")));
+}
+
+TEST(CaseComparison, TellsAFaultOfOursByTheCase) {
+  const Suite suite = suite_of(1);
+  const RunOptions options;
+  const Case asked = suite.cases[0];
+  CaseComparison comparison(suite.cases.size(), options);
+  const Rendering right = rasterize(asked.scene, options.policy);
+  const Result result = comparison.compare_outcome(0, without_memory(asked), right, {});
+  EXPECT_EQ(result.verdict, Verdict::not_run);
+  expect_internal(result.failure);
+  EXPECT_FALSE(comparison.compare_outcome(0, asked, right, {}).failure);
+}
+
+TEST(RunSuite, LosesOnlyTheCaseInWhichItFails) {
+  Suite suite = suite_of(1);
+  suite.cases.push_back(without_memory(suite.cases[0]));
+  suite.cases.sort_by_id();
+  RunOptions options;
+  options.renderers = {"exact"};
+  const Results results = run_suite(suite, options);
+  ASSERT_EQ(results.cases.size(), 2u);
+  EXPECT_EQ(results.cases.outline(0).answers[0].verdict, Verdict::agree);
+  expect_internal(results.cases.outline(1).answers[0].failure);
+  EXPECT_EQ(results.cases.outline(1).expect_failures, 1u);
+  std::ostringstream text;
+  write_results(results, text);
+  EXPECT_TRUE(std::holds_alternative<Results>(read_results(text.str())));
 }
 
 }  // namespace
