@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <exception>
+#include <new>
 #include <string_view>
 #include <vector>
 
@@ -36,22 +39,74 @@ void check_depths(const std::vector<double>& depths, DepthFormat format) {
       throw Refusal(fmt::format("a depth is {}, which {} does not hold", depth, name_of(format)));
 }
 
+void check_texels(const TextureLevel& level, TextureFormat format) {
+  require_size("a level", level.texels.size(), level.index(0, level.height));
+  const auto is_code = [](float texel) {
+    return texel >= 0 && texel <= 255 && texel == std::trunc(texel);
+  };
+  if (!holds_floats(format) && !std::ranges::all_of(level.texels, is_code))
+    throw Refusal(fmt::format("a level has a texel that {} does not hold", name_of(format)));
+}
+
+// Levels may have the wrong sizes, but none is larger than the image from which all are made.
 void check_mip_chains(const Rendering& rendering, const Scene& scene) {
   for (const auto& [number, levels] : rendering.mip_chains) {
     if (number >= scene.textures.size() || !scene.textures[number]->generated)
       throw Refusal(fmt::format("{} is no texture whose levels are generated", number));
+    const Texture& texture = *scene.textures[number];
+    const TextureLevel& image = texture.levels.front();
     if (levels.empty()) throw Refusal("a mip chain has no level");
+    if (levels.size() > wire::kMostLevels)
+      throw Refusal(fmt::format("a mip chain has {} levels", levels.size()));
     for (const TextureLevel& level : levels) {
-      if (std::min(level.width, level.height) < 1 ||
-          std::max(level.width, level.height) > kMaxTextureSize)
-        throw Refusal(fmt::format("a level is {}x{}", level.width, level.height));
-      require_size("a level", level.texels.size(), level.index(0, level.height));
+      if (std::min(level.width, level.height) < 1 || level.width > image.width ||
+          level.height > image.height)
+        throw Refusal(fmt::format("a level is {}x{}, and the image is {}x{}", level.width,
+                                  level.height, image.width, image.height));
+      check_texels(level, texture.format);
     }
+  }
+}
+
+// What is later used as an index, or as a mask of samples.
+void check_fragments(const Rendering& rendering, const Scene& scene) {
+  const std::vector<bool> textured = wire::textured_primitives(scene);
+  for (const Fragment& fragment : rendering.fragments) {
+    if (fragment.x < 0 || fragment.x >= rendering.width || fragment.y < 0 ||
+        fragment.y >= rendering.height)
+      throw Refusal(fmt::format("a fragment is at pixel ({}, {}), outside the target", fragment.x,
+                                fragment.y));
+    if (fragment.primitive < 0 || static_cast<std::size_t>(fragment.primitive) >= textured.size())
+      throw Refusal(fmt::format("a fragment is of primitive {}, and there are {}",
+                                fragment.primitive, textured.size()));
+    if (fragment.coverage < 1 || fragment.coverage >= std::uint64_t{1} << rendering.samples)
+      throw Refusal(fmt::format("a fragment has the coverage {}, which is none of {} samples",
+                                fragment.coverage, rendering.samples));
+    if (fragment.detail >= static_cast<std::int64_t>(rendering.details.size()))
+      throw Refusal("a fragment has a detail that is not there");
+    if (fragment.detail >= 0)
+      check_detail(rendering.details[static_cast<std::size_t>(fragment.detail)], scene.details,
+                   textured[static_cast<std::size_t>(fragment.primitive)]);
   }
 }
 
 std::size_t area_of(const Rendering& rendering) {
   return rendering.pixel_index(0, rendering.height);
+}
+
+// A renderer may write a sample more often than its own fragments say, which is judged, but no
+// primitive writes one more often than it may have fragments there.
+void check_hits(const Rendering& rendering, const Scene& scene) {
+  require_size_if_any("the hits", rendering.hits.size(),
+                      area_of(rendering) * static_cast<std::size_t>(rendering.samples));
+  const auto contradiction =
+      has_fragment_operations(scene) ? excess_of_hits(rendering) : contradiction_of_hits(rendering);
+  if (contradiction) throw Refusal(*contradiction);
+  const std::size_t most = wire::kMostOfPrimitive * primitives_of(scene).size();
+  for (const std::uint32_t hits : rendering.hits)
+    if (hits > most)
+      throw Refusal(fmt::format("a sample has {} hits, more than {} for each primitive", hits,
+                                wire::kMostOfPrimitive));
 }
 
 // Checks a single drawing: a scene that is not supersampled, or a pass.
@@ -65,7 +120,6 @@ void check_drawing(const Rendering& rendering, const Scene& scene) {
                target.depth == DepthFormat::none ? 0 : planes);
   require_size("the stencils", rendering.stencils.size(),
                target.stencil == StencilFormat::none ? 0 : planes);
-  require_size_if_any("the hits", rendering.hits.size(), planes);
   require_size_if_any("the pixels of samples", rendering.sample_pixels.size(),
                       is_multisampled ? 4 * planes : 0);
   require_size_if_any("the positions of samples", rendering.sample_positions.size(),
@@ -83,6 +137,8 @@ void check_drawing(const Rendering& rendering, const Scene& scene) {
   require_size("the passes", rendering.passes.size(), 0);
   check_depths(rendering.depths, target.depth);
   check_mip_chains(rendering, scene);
+  check_fragments(rendering, scene);
+  check_hits(rendering, scene);
 }
 
 // In a supersampled scene only passes have fragments and what belongs to them.
@@ -96,7 +152,11 @@ void check_supersampled(const Rendering& rendering, const Scene& scene) {
                    rendering.stencils.size() + rendering.mip_chains.size() +
                    rendering.sample_positions.size() + rendering.sample_pixels.size(),
                0);
-  for (const Rendering& pass : rendering.passes) check_drawing(pass, scene);
+  for (std::size_t k = 0; k < rendering.passes.size(); ++k) try {
+      check_drawing(rendering.passes[k], scene);
+    } catch (const Refusal& refusal) {
+      throw Refusal(fmt::format("/passes/{}: {}", k, refusal.what()));
+    }
 }
 
 }  // namespace
@@ -115,12 +175,9 @@ void check_detail(const FragmentDetail& detail, Details asked, bool is_textured)
   });
 }
 
-void check_hits(const Rendering& rendering, const Scene& scene) {
-  require_size_if_any("the hits", rendering.hits.size(),
-                      area_of(rendering) * static_cast<std::size_t>(rendering.samples));
-  const auto contradiction =
-      has_fragment_operations(scene) ? excess_of_hits(rendering) : contradiction_of_hits(rendering);
-  if (contradiction) throw Refusal(*contradiction);
+void check_coverage(const Rendering& rendering, const Scene& scene) {
+  check_fragments(rendering, scene);
+  check_hits(rendering, scene);
 }
 
 void check_rendering(const Rendering& rendering, const Scene& scene) {
@@ -128,6 +185,22 @@ void check_rendering(const Rendering& rendering, const Scene& scene) {
     check_drawing(rendering, scene);
   else
     check_supersampled(rendering, scene);
+}
+
+void check_claims(const RendererInfo& claims) {
+  if (claims.subpixel_bits < 0 || claims.subpixel_bits > kMaxSubpixelBits)
+    throw Refusal(fmt::format("the sub-pixel bits are {}, but they must be 0 to {}",
+                              claims.subpixel_bits, kMaxSubpixelBits));
+}
+
+WireError error_of_reading(const std::exception& thrown) {
+  if (dynamic_cast<const Refusal*>(&thrown) != nullptr) return {thrown.what()};
+  if (dynamic_cast<const std::bad_alloc*>(&thrown) != nullptr)
+    return {"reading it takes more memory than there is"};
+  return {
+      fmt::format("edgecase itself failed when it read it ({}); please report this with the "
+                  "answer",
+                  thrown.what())};
 }
 
 }  // namespace edgecase

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -18,8 +19,6 @@ using wire::Path;
 using wire::Refusal;
 
 namespace {
-
-constexpr int kMaxSubpixelBits = 32;
 
 std::string text_of(const json& value) {
   return value.dump(-1, ' ', true, json::error_handler_t::replace);
@@ -197,10 +196,7 @@ Rendering read_drawing(const json& document, const Path& root, const Scene& scen
 Rendering read_pass(const json& value, const Path& path, const Scene& scene) {
   wire::require_object(value, path, {"pixels", "fragments", "depths", "mip_chains", "hits"});
   check_buffers(value, path, scene);
-  Rendering rendering = read_drawing(value, path, scene);
-  if (auto contradiction = contradiction_of_hits(rendering))
-    throw Refusal(fmt::format("{}: {}", path.text(), *contradiction));
-  return rendering;
+  return read_drawing(value, path, scene);
 }
 
 // Passes differ from the scene only in positions, which do not matter for reading.
@@ -223,11 +219,12 @@ Rendering read_supersampled(const json& document, const Path& root, const Scene&
 }
 
 Rendering read_rendering(const json& document, const Path& root, const Scene& scene) {
-  if (!scene.supersampling.empty()) return read_supersampled(document, root, scene);
-  Rendering rendering = read_drawing(document, root, scene);
-  const auto contradiction =
-      has_fragment_operations(scene) ? excess_of_hits(rendering) : contradiction_of_hits(rendering);
-  if (contradiction) throw Refusal(*contradiction);
+  Rendering rendering = scene.supersampling.empty() ? read_drawing(document, root, scene)
+                                                    : read_supersampled(document, root, scene);
+  if (document.contains("coverage"))
+    check_coverage(rendering, scene);
+  else
+    check_rendering(rendering, scene);
   return rendering;
 }
 
@@ -319,8 +316,8 @@ std::variant<Answer, WireError> parse_answer(std::string_view line, const std::s
                                              const Scene& scene, bool coverage_only) {
   try {
     return read_answer(wire::parse_text(line), digest, scene, coverage_only);
-  } catch (const Refusal& refusal) {
-    return WireError{refusal.what()};
+  } catch (const std::exception& thrown) {
+    return error_of_reading(thrown);
   }
 }
 

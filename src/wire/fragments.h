@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "model/scene.h"
 #include "wire/binary.h"
 #include "wire/json_values.h"
+#include "wire/request_line.h"
 
 namespace edgecase::wire {
 
@@ -22,6 +24,10 @@ namespace edgecase::wire {
 // The largest number of fragments in runs, of which few bytes could demand much memory. Our own
 // OpenGL workers capture at most this many.
 constexpr std::size_t kMostFragments = std::size_t{1} << 24;
+
+// The largest number of fragments that a primitive may have at a sample. A faulty rasterizer draws
+// some twice; what goes far beyond is no rendering.
+constexpr std::size_t kMostOfPrimitive = 4;
 
 // The limits of runs: the target in pixels, and the number of primitives in the scene.
 struct RunBounds {
@@ -77,15 +83,15 @@ void drop_signs_of_zero(Numbers& numbers) {
 void write_hits(Writer& io, const Rendering& rendering);
 
 // Reads into a rendering that has its fragments; throws a Refusal if those lie outside the target.
-// Returns true if the hits were counted from the fragments, and false if they were sent.
-bool read_hits(Reader& io, Rendering& rendering);
+void read_hits(Reader& io, Rendering& rendering);
 
 }  // namespace edgecase::wire
 
 namespace edgecase {
 
-// Checks of a rendering that came as bytes, with the same limits as answer_line.h applies to a
-// line. They throw a Refusal.
+// What every answer passes before it is compared, whether it came as a line, as bytes or from a
+// recording: comparisons index by what it says, and trust that. Readers check earlier what they
+// need for reading, and name the place. They throw a Refusal.
 
 // Whether a fragment's detail has any value.
 bool has_values(const FragmentDetail& detail);
@@ -93,11 +99,20 @@ bool has_values(const FragmentDetail& detail);
 // Refuses a detail that was not requested, or that only textured draws have.
 void check_detail(const FragmentDetail& detail, Details asked, bool is_textured);
 
-// Checks sizes of planes and ranges of numbers, for each pass of a supersampled scene. Fragments
-// are checked when they are read.
+// Checks that a rendering of known size and samples may be one of the scene, with each pass of a
+// supersampled one: sizes of planes, ranges of numbers, places, primitives, samples and details of
+// fragments, and hit counts, which may not contradict the fragments.
 void check_rendering(const Rendering& rendering, const Scene& scene);
 
-// Checks that hit counts agree with the fragments, which lie within the rendering.
-void check_hits(const Rendering& rendering, const Scene& scene);
+// The same of an answer with coverage only: its fragments and hits.
+void check_coverage(const Rendering& rendering, const Scene& scene);
+
+// Checks what a renderer claims of itself.
+constexpr int kMaxSubpixelBits = 32;
+void check_claims(const RendererInfo& claims);
+
+// Why an answer is refused if this was thrown while it was read: the Refusal's reason, too little
+// memory, or a fault of ours.
+WireError error_of_reading(const std::exception& thrown);
 
 }  // namespace edgecase

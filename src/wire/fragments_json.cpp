@@ -191,19 +191,17 @@ Fragment read_fragment(const json& value, const Path& path, const Bounds& bounds
   return fragment;
 }
 
-// A primitive has one fragment in a pixel, or in a sample, and a faulty rasterizer may draw some
-// twice. What goes far beyond is no rendering, and to judge it would take a thirtieth of a
-// millisecond for each fragment, outside of any limit of time.
+// To judge far more fragments would take a thirtieth of a millisecond for each, outside of any
+// limit of time.
 void check_count(std::size_t count, const Path& path, const Rendering& rendering,
                  std::size_t primitives) {
-  constexpr std::size_t kMost = 4;
   const std::size_t samples = rendering.pixel_index(0, rendering.height) *
                               static_cast<std::size_t>(std::max(1, rendering.samples));
-  if (count > kMost * primitives * samples)
+  if (count > kMostOfPrimitive * primitives * samples)
     throw Refusal(
         fmt::format("{} has {} elements, more than {} for each of {} primitives in each "
                     "of {} samples",
-                    path.text(), count, kMost, primitives, samples));
+                    path.text(), count, kMostOfPrimitive, primitives, samples));
 }
 
 }  // namespace

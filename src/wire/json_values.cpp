@@ -285,11 +285,19 @@ std::vector<float> repeated(const json& texel, const Path& path, const TextureLe
   return texels;
 }
 
-TextureLevel read_level(const json& value, const Path& path, ReadTexel read_texel) {
+// The largest levels that a list may have. One texel stands for a whole level, so that a short line
+// could demand much memory.
+struct LevelBounds {
+  int width = kMaxTextureSize;
+  int height = kMaxTextureSize;
+};
+
+TextureLevel read_level(const json& value, const Path& path, ReadTexel read_texel,
+                        const LevelBounds& most) {
   require_object(value, path, {"width", "height", "texels", "texel"});
   TextureLevel level;
-  level.width = read_int(member(value, path, "width"), {path, "width"}, 1, kMaxTextureSize);
-  level.height = read_int(member(value, path, "height"), {path, "height"}, 1, kMaxTextureSize);
+  level.width = read_int(member(value, path, "width"), {path, "width"}, 1, most.width);
+  level.height = read_int(member(value, path, "height"), {path, "height"}, 1, most.height);
   if (const json* texel = optional_member(value, "texel")) {
     if (value.contains("texels")) throw Refusal(path.text() + " has both \"texel\" and \"texels\"");
     level.texels = repeated(*texel, {path, "texel"}, level, read_texel);
@@ -304,12 +312,16 @@ TextureLevel read_level(const json& value, const Path& path, ReadTexel read_texe
   return level;
 }
 
-std::vector<TextureLevel> read_levels(const json& value, const Path& path, ReadTexel read_texel) {
+std::vector<TextureLevel> read_levels(const json& value, const Path& path, ReadTexel read_texel,
+                                      const LevelBounds& most = {}) {
   require_array(value, path, value.size());
   if (value.empty()) throw Refusal(path.text() + " must have an element");
+  if (value.size() > kMostLevels)
+    throw Refusal(fmt::format("{} has {} levels, but there are {} at most", path.text(),
+                              value.size(), kMostLevels));
   std::vector<TextureLevel> levels;
   for (std::size_t i = 0; i < value.size(); ++i)
-    levels.push_back(read_level(value[i], {path, i}, read_texel));
+    levels.push_back(read_level(value[i], {path, i}, read_texel, most));
   return levels;
 }
 
@@ -360,8 +372,10 @@ std::map<std::size_t, std::vector<TextureLevel>> read_mip_chains(const json& val
     const Path at(path, key.c_str());
     if (!texture.generated)
       throw Refusal(at.text() + " is there, but the request gives this texture's levels");
+    const TextureLevel& image = texture.levels.front();
     chains[number] =
-        read_levels(levels, at, holds_floats(texture.format) ? read_generated_float32 : read_code);
+        read_levels(levels, at, holds_floats(texture.format) ? read_generated_float32 : read_code,
+                    {image.width, image.height});
   }
   return chains;
 }

@@ -147,6 +147,10 @@ SamplePositions read_reported_positions(const nlohmann::json& value, const Path&
 // Texels are the bulk of a line that has some: whole numbers from 0 to 255 are written without a
 // point, all others by write_number. Either way they read back as the same float32.
 
+// The largest number of levels: of a texture of kMaxTextureSize.
+constexpr std::size_t kMostLevels = 11;
+static_assert(kMaxTextureSize == 1 << (kMostLevels - 1));
+
 // One image of a scene's texture, or of a chain that a renderer generated.
 void write_level(Output out, const TextureLevel& level);
 // At least one level, with finite texels that the format can store.
@@ -155,7 +159,8 @@ std::vector<TextureLevel> read_levels(const nlohmann::json& value, const Path& p
 
 // The levels that a renderer generated, keyed by the number of the texture. Only textures whose
 // levels the renderer generates are permitted, with texels that the format can store, including
-// infinities and NaN. The number and sizes of the levels are judged later.
+// infinities and NaN. The number and sizes of the levels are judged later, but none may be larger
+// than the texture's image.
 std::map<std::size_t, std::vector<TextureLevel>> read_mip_chains(const nlohmann::json& value,
                                                                  const Path& path,
                                                                  const Scene& scene);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <exception>
 #include <utility>
 #include <vector>
 
@@ -66,15 +67,13 @@ Rendering read_rendering(Reader& io, const Scene& scene, bool may_have_passes) {
   wire::drop_signs_of_zero(rendering.depths);
   wire::drop_signs_of_zero(rendering.accumulated);
   wire::read_fragments(io, scene, rendering);
-  const bool hits_are_counted = wire::read_hits(io, rendering);
+  wire::read_hits(io, rendering);
   const std::size_t passes = io.size(1);
   if (passes > 0 && !may_have_passes) throw Refusal("a pass has passes");
   if (passes > scene.supersampling.size())
     throw Refusal("there are more passes than were asked for");
   for (std::size_t k = 0; k < passes; ++k)
     rendering.passes.push_back(read_rendering(io, scene, false));
-  // Hits counted here cannot contradict the fragments, and beside passes there may be none.
-  if (!hits_are_counted && passes == 0) check_hits(rendering, scene);
   sort_fragments(rendering);
   return rendering;
 }
@@ -110,7 +109,7 @@ Rendering read_drawing(Reader& io, AnswerKind kind, const Scene& scene, bool cov
   if (kind != AnswerKind::coverage || !coverage_only)
     throw Refusal("the answer is of a kind that was not asked for");
   Rendering rendering = read_coverage(io, scene);
-  check_hits(rendering, scene);
+  check_coverage(rendering, scene);
   return rendering;
 }
 
@@ -122,6 +121,7 @@ Answer read_answer(Reader& io, std::uint64_t digest, const Scene& scene, bool co
   carry(io, kind);
   Answer answer;
   carry(io, answer.claims);
+  if (answer.claims) check_claims(*answer.claims);
   answer.digest = digest_of_bytes(io.left(), digest);
   if (kind == AnswerKind::refusal) {
     Failure failure{FailureKind::unsupported, ""};
@@ -197,8 +197,8 @@ std::variant<Answer, WireError> parse_answer_message(std::string_view bytes, std
   try {
     Reader io(bytes);
     return read_answer(io, digest, scene, coverage_only);
-  } catch (const Refusal& refusal) {
-    return WireError{refusal.what()};
+  } catch (const std::exception& thrown) {
+    return error_of_reading(thrown);
   }
 }
 

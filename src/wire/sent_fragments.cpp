@@ -255,17 +255,13 @@ void write_hits(Writer& io, const Rendering& rendering) {
   if (!count_fragments) carry(io, rendering.hits);
 }
 
-bool read_hits(Reader& io, Rendering& rendering) {
+void read_hits(Reader& io, Rendering& rendering) {
   bool count_fragments = false;
   carry(io, count_fragments);
-  if (!count_fragments) {
-    carry(io, rendering.hits);
-    return false;
-  }
+  if (!count_fragments) return carry(io, rendering.hits);
   auto counts = counted(rendering);
   if (!counts) throw Refusal("a fragment is outside the target");
   rendering.hits = *std::move(counts);
-  return true;
 }
 
 }  // namespace edgecase::wire

@@ -157,7 +157,7 @@ Rendering two_planes() {
   rendering.sample_positions = {point_of(16384, 16384), point_of(49152, 49153)};
   rendering.pixels.resize(24, 7);
   for (int i = 0; i < 48; ++i) rendering.sample_pixels.push_back(static_cast<std::uint8_t>(5 * i));
-  rendering.hits = {1, 0, 0, 0, 0, 9, 0, 0, 0, 0, 0, 1};
+  rendering.hits = {1, 0, 0, 0, 0, 8, 0, 0, 0, 0, 0, 1};
   for (int i = 0; i < 12; ++i) rendering.depths.push_back(i / 16.0);
   for (const std::uint32_t coverage : {3U, 1U, 2U}) {
     Fragment fragment;
@@ -273,8 +273,11 @@ TEST(SampleAnswers, AreRefusedForTheirFaults) {
               HasSubstr("/sample_pixels must have 48 elements, but it has 47"));
   EXPECT_THAT(refusal("\"sample_pixels\":[0,", "\"sample_pixels\":[256,"),
               HasSubstr("/sample_pixels/0 is 256"));
-  EXPECT_THAT(refusal("\"hits\":[1,0,0,0,0,9,", "\"hits\":["),
+  EXPECT_THAT(refusal("\"hits\":[1,0,0,0,0,8,", "\"hits\":["),
               HasSubstr("/hits must have 12 elements, but it has 6"));
+  // More often than its two primitives could write it.
+  EXPECT_THAT(refusal("\"hits\":[1,0,0,0,0,8,", "\"hits\":[1,0,0,0,0,9,"),
+              HasSubstr("a sample has 9 hits, more than 4 for each primitive"));
   EXPECT_THAT(refusal("\"depths\":[0,", "\"depths\":["),
               HasSubstr("/depths must have 12 elements, but it has 11"));
   EXPECT_THAT(refusal("\"coverage\":3", "\"coverage\":4"),

@@ -106,9 +106,23 @@ TEST(TextureAnswers, HaveTheDocumentedForm) {
 // Whether a renderer makes the right levels is not for the reader to say.
 TEST(TextureAnswers, ChainsOfTheWrongSizesAreCarried) {
   Rendering rendering = textured_rendering();
-  for (auto [width, height] : {std::pair(1, 1), {1024, 1}, {2, 2}})
+  for (auto [width, height] : {std::pair(1, 1), {2, 1}, {2, 2}})
     rendering.mip_chains[2].push_back(texture_level(width, height, TextureFormat::srgb8));
   EXPECT_EQ(read_back(answer_line(kDigest, rendering, nullptr)).mip_chains, rendering.mip_chains);
+}
+
+// One texel stands for a level of any size, so a short line could ask for gigabytes.
+TEST(TextureAnswers, ChainsThatNoImageOfTheSizeHasAreRefused) {
+  Rendering rendering = textured_rendering();
+  std::vector<TextureLevel>& chain = rendering.mip_chains[2];
+  chain.push_back(texture_level(3, 1, TextureFormat::srgb8));
+  EXPECT_THAT(message_of(answer_line(kDigest, rendering, nullptr)),
+              HasSubstr("/mip_chains/2/2/width is 3, but it must be 1 to 2"));
+  chain.assign(11, texture_level(1, 1, TextureFormat::srgb8));
+  EXPECT_EQ(message_of(answer_line(kDigest, rendering, nullptr)), "");
+  chain.push_back(chain.back());
+  EXPECT_THAT(message_of(answer_line(kDigest, rendering, nullptr)),
+              HasSubstr("/mip_chains/2 has 12 levels, but there are 11 at most"));
 }
 
 TEST(TextureAnswers, FloatChainsMayHoldWhatIsNotFinite) {
