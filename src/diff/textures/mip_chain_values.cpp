@@ -93,8 +93,10 @@ double distance(double a, double b) {
   return std::isfinite(difference) ? difference : 0x1p24;
 }
 
+// Texels have no pixel either, and differ at the first one.
 void compare_texels(std::size_t texture, const Chain& exact, const Chain& reported,
                     Result& result) {
+  constexpr ValueAggregate::Place kPlace{0, 0, -1};
   ValueAggregator aggregator(fmt::format("mip chain of texture {}", texture), RuleId::mipmap_filter,
                              kRuling);
   for (std::size_t level = 1; level < exact.size(); ++level) {
@@ -111,9 +113,9 @@ void compare_texels(std::size_t texture, const Chain& exact, const Chain& report
           const auto rendered = static_cast<double>(is);
           const auto number = static_cast<double>(should);
           aggregator.add_error(
-              {i, j, -1}, {static_cast<int>(c), number, rendered, distance(number, rendered), 0});
+              kPlace, {static_cast<int>(c), number, rendered, distance(number, rendered), 0});
         }
-        if (differs) aggregator.add_place({i, j, -1});
+        if (differs) aggregator.add_place(kPlace);
       }
     }
   }
