@@ -13,6 +13,7 @@ import argparse
 import json
 import os
 import pathlib
+import random
 import re
 import shlex
 import subprocess
@@ -108,6 +109,12 @@ def answer_seeds(folder):
     return seeds
 
 
+def compare_seeds(_):
+    # Decisions, not files: any bytes are a scene, an answer to it and what is wrong with that.
+    decide = random.Random(62)
+    return [decide.randbytes(decide.randint(12, 48)) for _ in range(200)]
+
+
 def mesh_seeds(_):
     return [text[:4096] for text in files("cases/**/*.obj", "tests/**/*.obj", most=1 << 20)]
 
@@ -120,7 +127,7 @@ def image_seeds(folder):
 
 SEEDS = {"case_file": case_seeds, "policy": policy_seeds, "known_faults": known_fault_seeds,
          "decisions": decision_seeds, "results": result_seeds, "recording": recording_seeds,
-         "answer": answer_seeds, "mesh": mesh_seeds, "image": image_seeds}
+         "answer": answer_seeds, "compare": compare_seeds, "mesh": mesh_seeds, "image": image_seeds}
 
 
 def write_seeds(target, folder):

@@ -28,6 +28,7 @@
 extern "C" {
 int edgecase_fuzz_answer(const std::uint8_t* data, std::size_t size);
 int edgecase_fuzz_case_file(const std::uint8_t* data, std::size_t size);
+int edgecase_fuzz_compare(const std::uint8_t* data, std::size_t size);
 int edgecase_fuzz_decisions(const std::uint8_t* data, std::size_t size);
 int edgecase_fuzz_known_faults(const std::uint8_t* data, std::size_t size);
 int edgecase_fuzz_image(const std::uint8_t* data, std::size_t size);
@@ -58,16 +59,13 @@ int balanced(const std::uint8_t* data, std::size_t size) {
   return 0;
 }
 
-const std::map<std::string, Target*> kTargets{{"answer", edgecase_fuzz_answer},
-                                              {"balanced", balanced},
-                                              {"case_file", edgecase_fuzz_case_file},
-                                              {"decisions", edgecase_fuzz_decisions},
-                                              {"known_faults", edgecase_fuzz_known_faults},
-                                              {"image", edgecase_fuzz_image},
-                                              {"mesh", edgecase_fuzz_mesh},
-                                              {"policy", edgecase_fuzz_policy},
-                                              {"recording", edgecase_fuzz_recording},
-                                              {"results", edgecase_fuzz_results}};
+const std::map<std::string, Target*> kTargets{
+    {"answer", edgecase_fuzz_answer},       {"balanced", balanced},
+    {"case_file", edgecase_fuzz_case_file}, {"compare", edgecase_fuzz_compare},
+    {"decisions", edgecase_fuzz_decisions}, {"known_faults", edgecase_fuzz_known_faults},
+    {"image", edgecase_fuzz_image},         {"mesh", edgecase_fuzz_mesh},
+    {"policy", edgecase_fuzz_policy},       {"recording", edgecase_fuzz_recording},
+    {"results", edgecase_fuzz_results}};
 
 std::vector<std::string> contents_of(char** first, char** last) {
   std::vector<fs::path> paths;

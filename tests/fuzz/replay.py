@@ -25,7 +25,7 @@ import share  # noqa: E402  the path comes first
 # How many spoilt files each target is asked, or the share of them that is wanted: about four seconds
 # each.
 INPUTS = {"case_file": 6000, "policy": 10000, "known_faults": 10000, "decisions": 20000,
-          "results": 4000, "recording": 10000, "answer": 6000, "mesh": 6000, "image": 2000}
+          "results": 4000, "recording": 10000, "answer": 6000, "compare": 1500, "mesh": 6000, "image": 2000}
 FINDS = fuzz.BIN.parent / "fuzz-finds"
 
 
