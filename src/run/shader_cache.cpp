@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <optional>
 
 namespace edgecase {
 namespace {
@@ -23,13 +21,13 @@ std::optional<std::filesystem::path> folder_of(const char* variable) {
   return value;
 }
 
+}  // namespace
+
 std::optional<std::filesystem::path> folder_for_caches() {
   if (const auto chosen = folder_of("XDG_CACHE_HOME")) return chosen;
   if (const auto home = folder_of("HOME")) return *home / ".cache";
   return std::nullopt;
 }
-
-}  // namespace
 
 std::map<std::string, std::string> shader_cache_variables(const std::string& name) {
   const auto is_set = [](const char* variable) { return std::getenv(variable) != nullptr; };
