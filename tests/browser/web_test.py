@@ -2,23 +2,27 @@
 """The page that draws with the browser's own GPU, here SwiftShader's: its recording is judged as any
 renderer's, lies are found out, and a device that fails says so."""
 import base64
+import contextlib
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
+import urllib.error
+import urllib.request
 
 TESTS = pathlib.Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(TESTS / "tools"), str(TESTS / "support")]
 
 from browser import Browser  # noqa: E402
 from share import IS_QUICK, in_full_tier  # noqa: E402
-from support import (BIN, SUITE, UNEXPECTED, CommandTest, environment, only_result,  # noqa: E402
-                     verdicts)
+from support import (EDGECASE, SUITE, UNEXPECTED, CommandTest, environment,  # noqa: E402
+                     only_result, verdicts)
 
 RENDERER_FAILED = 4
 PATIENCE = 20  # seconds
@@ -269,6 +273,17 @@ def answers(lines):
     return found
 
 
+def status_of(address):
+    """The status of an answer that somebody without the page gets at a page's address."""
+    request = urllib.request.Request(address + "scene", b"ready",
+                                     {"Origin": address[:address.index("/", 7)]})
+    try:
+        with urllib.request.urlopen(request, timeout=PATIENCE) as answer:
+            return answer.status
+    except urllib.error.HTTPError as refusal:
+        return refusal.code
+
+
 class Live(CommandTest):
     def rendered(self, renderer):
         run = self.command("render", *TOLD_ALIKE, "--with", renderer, "--json", "-", expect=None)
@@ -297,6 +312,40 @@ class Live(CommandTest):
             time.sleep(0.05)
         self.assertEqual(os.listdir(home), [])
 
+    def secrets_beside(self, renderer):
+        """Runs a renderer; whether its address was seen in arguments or variables of any process,
+        and what somebody is answered who knows it and has not its page."""
+        home = self.folder / "tmp"
+        home.mkdir(exist_ok=True)
+        with subprocess.Popen([EDGECASE, "run", *FEW, "--against", renderer, "--jobs", "1"],
+                              cwd=self.folder, env=environment(TMPDIR=str(home)),
+                              stdout=subprocess.PIPE, text=True) as running:
+            seen, answers, address = set(), set(), None
+            while running.poll() is None:
+                for start in home.glob("*/start.html"):
+                    address = re.search('"(http:[^"]*)"', start.read_text("utf-8"))[1]
+                if address is None:
+                    continue
+                with contextlib.suppress(OSError):
+                    answers.add(status_of(address))
+                for entry in pathlib.Path("/proc").glob("[0-9]*"):
+                    for name in ("cmdline", "environ"):
+                        with contextlib.suppress(OSError):
+                            if address[-33:-1].encode() in (entry / name).read_bytes():
+                                seen.add((entry / "cmdline").read_bytes())
+            told = running.stdout.read()
+        self.assertNotIn("not-run", told)
+        self.assertIsNotNone(address)
+        return seen, answers
+
+    def test_no_process_tells_the_address_of_its_page(self):
+        self.assertEqual(self.secrets_beside("webgl:chromium"), (set(), {403}))
+
+    @in_full_tier
+    @unittest.skipIf(ABSENT, f"not run: there is no {', no '.join(ABSENT)}; see tools/packages-full.txt")
+    def test_no_process_of_firefox_tells_it(self):
+        self.assertEqual(self.secrets_beside("webgl:firefox"), (set(), {403}))
+
     def recorded(self, renderer):
         """Of a share of the flat cases."""
         path = self.folder / f"{renderer.replace(':', '-')}.rec"
@@ -318,29 +367,6 @@ class Live(CommandTest):
         run = self.command("run", *FEW, "--against", "webgl:firefox", expect=RENDERER_FAILED,
                            PATH=str(path.parent))
         self.assertIn("there is no firefox in PATH", run.stdout + run.stderr)
-
-
-# Begins anew before it answers the first request.
-STARTS_TWICE = """#!/usr/bin/env python3
-import sys, urllib.request
-def sent(body):
-    return urllib.request.urlopen(sys.argv[-1] + "scene", body.encode()).read().decode()
-told = [sent("ready"), sent("ready")]
-told += [sent("answer to " + told[-1])]
-open("told", "w").write(repr(told))
-sent("answer to " + told[-1])
-"""
-
-
-class Reloaded(CommandTest):
-    def test_a_page_that_is_loaded_again_gets_its_request_again(self):
-        self.write("bin/chromium", STARTS_TWICE).chmod(0o755)
-        path = f"{self.folder}/bin:{os.environ['PATH']}"
-        worker = subprocess.run([BIN / "edgecase-webgl", "chromium"], input="one\ntwo\n", text=True,
-                                capture_output=True, cwd=self.folder, timeout=PATIENCE, check=False,
-                                env=environment(PATH=path))
-        self.assertEqual((worker.returncode, worker.stdout), (0, "answer to one\nanswer to two\n"))
-        self.assertEqual((self.folder / "told").read_text(encoding="utf-8"), "['one', 'one', 'two']")
 
 
 if __name__ == "__main__":

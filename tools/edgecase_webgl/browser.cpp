@@ -36,7 +36,14 @@ std::string find_program(std::initializer_list<const char*> names) {
 
 using Found = std::variant<BrowserCommand, std::string>;
 
-Found chromium(bool upon_gl, const std::string& folder, const std::string& url) {
+// The page in the profile with which a browser begins.
+constexpr const char* kStartPage = "start.html";
+
+std::string start_of(const std::string& folder) {
+  return fs::absolute(fs::path(folder) / kStartPage).string();
+}
+
+Found chromium(bool upon_gl, const std::string& folder) {
   const std::string program =
       find_program({"chromium", "chromium-browser", "google-chrome", "google-chrome-stable"});
   if (program.empty()) return "there is no chromium in PATH; Debian has it in the package chromium";
@@ -51,12 +58,12 @@ Found chromium(bool upon_gl, const std::string& folder, const std::string& url) 
                                          "--ignore-gpu-blocklist"}
               : std::vector<std::string>{"--use-angle=swiftshader", "--enable-unsafe-swiftshader"};
   command.argv.insert(command.argv.end(), driver.begin(), driver.end());
-  command.argv.push_back(url);
+  command.argv.push_back(start_of(folder));
   return command;
 }
 
 // Without a display it has no WebGL 2, so it gets one that nobody sees.
-Found firefox(const std::string& folder, const std::string& url) {
+Found firefox(const std::string& folder) {
   const std::string program = find_program({"firefox-esr", "firefox"});
   if (program.empty())
     return "there is no firefox in PATH; Debian has it in the package firefox-esr";
@@ -71,8 +78,9 @@ Found firefox(const std::string& folder, const std::string& url) {
       "user_pref(\"datareporting.policy.dataSubmissionEnabled\", false);\n"
       "user_pref(\"network.captive-portal-service.enabled\", false);\n"
       "user_pref(\"network.connectivity-service.enabled\", false);\n";
-  return BrowserCommand{{display, "-a", program, "--no-remote", "--profile", folder, url},
-                        {"user.js", kPreferences}};
+  return BrowserCommand{
+      {display, "-a", program, "--no-remote", "--profile", folder, start_of(folder)},
+      {"user.js", kPreferences}};
 }
 
 // Removes the folder, and kills the process group of the worker, when that has ended: it may be
@@ -101,10 +109,15 @@ Found firefox(const std::string& folder, const std::string& url) {
 }  // namespace
 
 Found find_browser(const std::string& name, const std::string& folder, const std::string& url) {
-  if (name == "chromium" || name == "chromium-gl")
-    return chromium(name == "chromium-gl", folder, url);
-  if (name == "firefox") return firefox(folder, url);
-  return "there is no browser \"" + name + "\"; known are chromium, chromium-gl and firefox";
+  Found found = "there is no browser \"" + name + "\"; known are chromium, chromium-gl and firefox";
+  if (name == "chromium" || name == "chromium-gl") found = chromium(name == "chromium-gl", folder);
+  if (name == "firefox") found = firefox(folder);
+  if (auto* command = std::get_if<BrowserCommand>(&found))
+    command->files.insert(command->files.end(), {kStartPage,
+                                                 "<!doctype html><meta charset=\"utf-8\"><script>"
+                                                 "location.replace(\"" +
+                                                     url + "\")</script>\n"});
+  return found;
 }
 
 Browser::Browser() {

@@ -19,15 +19,18 @@ struct BrowserCommand {
 
 // The browser of this name, "chromium", "chromium-gl" or "firefox", for a page at `url`, with its
 // profile in `folder`. Otherwise one sentence: it is not installed, or there is no such name.
+//
+// Every user of the machine can read a process's arguments, so `url` stands in none: the browser
+// begins with a page in its profile, which sends it there.
 std::variant<BrowserCommand, std::string> find_browser(const std::string& name,
                                                        const std::string& folder,
                                                        const std::string& url);
 
 class Browser {
  public:
-  // Makes a folder for the profile. However this process ends, another one then removes the folder,
-  // and ends what is left of our process group, where all that a browser starts is. Call it before
-  // there are threads. Throws std::runtime_error if it cannot.
+  // Makes a folder for the profile, which no other user can enter. However this process ends,
+  // another one then removes the folder, and ends what is left of our process group, where all that
+  // a browser starts is. Call it before there are threads. Throws std::runtime_error if it cannot.
   Browser();
 
   const std::string& folder() const { return folder_; }

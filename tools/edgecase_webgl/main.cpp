@@ -40,7 +40,6 @@ class Worker {
     if (request.path.empty()) return page();
     if (request.path == "lost") end(kEnded, request.body);
     if (request.path != "scene") return "";
-    const std::lock_guard lock(mutex_);
     // A page that begins anew, as when a browser loads it again, has not answered yet.
     if (is_ready_ && request.body == kReady) return asked_;
     take(request.body);
@@ -92,7 +91,6 @@ class Worker {
 
   Loopback server_;
   std::unique_ptr<Browser> browser_;
-  std::mutex mutex_;
   bool is_ready_ = false;
   std::string asked_;  // the latest request
 };
