@@ -297,6 +297,16 @@ std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& rend
                                      known_renderer_names())};
 }
 
+bool is_foreign_code(const std::string& renderer) {
+  const std::string address = split_name(renderer).address;
+  if (address != renderer) return is_foreign_code(address);
+  if (address.starts_with(kExecPrefix)) return true;
+  return std::ranges::any_of(kPrefixes, [&](const Prefix& prefix) {
+    return address.starts_with(prefix.text) &&
+           std::string_view(address).substr(prefix.text.size()).starts_with(kLibrary);
+  });
+}
+
 int listed_egl_devices(const std::string& program_directory) {
   constexpr std::chrono::seconds kPatience{30};
   const std::string worker = (std::filesystem::path(program_directory) / "edgecase-gl").string();

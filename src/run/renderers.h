@@ -62,6 +62,10 @@ std::variant<ProcessSpec, UnknownRenderer> find_renderer(const std::string& rend
                                                          const std::string& program_directory,
                                                          const std::string& folder = "");
 
+// Whether a renderer, with or without names before its address, runs code from where that says: a
+// program of exec:, or a library of egl:lib= or egl-es:lib=.
+bool is_foreign_code(const std::string& renderer);
+
 // The number of devices that EGL lists, as egl:device0 and so on; 0 without an EGL that lists them.
 // The worker program counts them, so that a driver's crash does no harm here.
 int listed_egl_devices(const std::string& program_directory);

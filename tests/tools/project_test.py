@@ -136,7 +136,13 @@ class Names(ProjectTest):
 class File(ProjectTest):
     def setUp(self):
         super().setUp()
+        self.caches = str(self.folder / "caches")
         self.write("edgecase.toml", PROJECT)
+        # Its program may be started; trust_test.py is about that.
+        self.command("draw", "raster/cases/plain.json", "--against", "mine", "--trust")
+
+    def command(self, *arguments, **more):
+        return super().command(*arguments, **{"XDG_CACHE_HOME": self.caches, **more})
 
     def test_it_says_what_options_do_not(self):
         self.command("run", expect=UNEXPECTED)
@@ -201,7 +207,8 @@ class File(ProjectTest):
 
     def test_a_misspelt_renderer_is_told_with_those_of_the_project(self):
         told = self.command("run", "--against", "mien", expect=USAGE).stderr
-        self.assertEqual(told, 'there is no renderer "mien"; did you mean "mine"? The project has '
+        self.assertEqual(told, f"edgecase: the project is {self.folder}/edgecase.toml\n"
+                               'there is no renderer "mien"; did you mean "mine"? The project has '
                                "mine, ours\n")
         told = self.command("run", "--against", "llvmpipe", expect=USAGE).stderr
         self.assertIn("did you mean egl:llvmpipe?", told)

@@ -12,6 +12,10 @@
 
 #include "casefile/json/text.h"
 #include "model/renderer.h"
+#include "run/renderers.h"
+#include "tools/edgecase/file_safety.h"
+#include "tools/edgecase/options.h"
+#include "tools/edgecase/trust.h"
 
 namespace edgecase {
 namespace {
@@ -97,7 +101,10 @@ class ProjectReader {
   void read_known(const std::vector<std::string>& known) {
     for (const std::string& one : known) {
       const bool is_folder = !one.ends_with(".json");
-      if (is_folder && options("--folder").empty()) options("--folder") = {path(one)};
+      if (is_folder && options("--folder").empty()) {
+        options("--folder") = {path(one)};
+        project_.refused["--folder"] = fault_of_output("known", one);
+      }
       std::error_code error;
       if (!is_folder || fs::is_directory(path(one), error)) options("--known").push_back(path(one));
     }
@@ -131,6 +138,8 @@ class ProjectReader {
     for (const std::string& name : kOutputs)
       keys[name] = [this, name](const toml::node& value) {
         const std::string given = text(name, value);
+        const std::string fault = given == "-" ? "" : fault_of_output(name, given);
+        if (!fault.empty()) fail(value.source().begin, fault);
         options("--" + name) = {given == "-" ? given : path(given)};
       };
     read_keys("outputs", table("outputs", node), keys);
@@ -144,6 +153,21 @@ class ProjectReader {
         .lexically_normal()
         .lexically_proximate(fs::current_path(error))
         .string();
+  }
+
+  // Why a command does not write to this path, which has to be in the project's folder, whatever
+  // links say; empty: it does.
+  std::string fault_of_output(const std::string& key, const std::string& given) const {
+    const fs::path folder_of_file = project_.file.parent_path();
+    const auto folder = without_links(folder_of_file);
+    const auto place = without_links((folder_of_file / given).lexically_normal());
+    const bool is_inside =
+        folder && place && std::ranges::mismatch(*folder, *place).in1 == folder->end();
+    if (fs::path(given).is_relative() && is_inside) return "";
+    return fmt::format(
+        "{} = {} is outside of the project's folder; name a path in it, or give {} "
+        "on the command line",
+        key, quote(given), key == "known" ? "--folder" : "--" + key);
   }
 
   // The path of a file or folder of the project, if it exists; otherwise the text is a name, an id
@@ -186,6 +210,9 @@ void Project::give(CLI::App& command, const std::vector<std::string>& wanted) co
         wanted == kEveryOption || std::ranges::find(wanted, name) != wanted.end();
     CLI::Option* const option = command.get_option_no_throw(name);
     if (!is_wanted || option == nullptr || option->count() > 0 || values.empty()) continue;
+    const auto refusal = refused.find(name);
+    if (refusal != refused.end() && !refusal->second.empty())
+      throw ProjectError(fmt::format("{}: {}", file.string(), refusal->second));
     for (const std::string& value : values) option->add_result(value);
     option->run_callback();
   }
@@ -200,7 +227,7 @@ void Project::refuse_misspelt(const std::string& renderer) const {
                                    quote(renderer), quote(nearest), fmt::join(names, ", ")));
 }
 
-void ProjectOption::add_to(CLI::App& command) {
+void ProjectOption::add_config_to(CLI::App& command) {
   command
       .add_option("--config", config,
                   "Settings of a project: cases, renderers, policy, known faults, outputs "
@@ -208,21 +235,32 @@ void ProjectOption::add_to(CLI::App& command) {
       ->envname("EDGECASE_CONFIG");
 }
 
+void ProjectOption::add_to(CLI::App& command) {
+  add_config_to(command);
+  command.add_flag("--trust", is_trusted,
+                   "Run the programs and libraries that the project's file names, without asking; "
+                   "remembered until the file changes");
+}
+
 void ProjectOption::take(CLI::App& command, std::vector<std::string>& named,
-                         const std::vector<std::string>& wanted) {
+                         const std::vector<std::string>& wanted, bool asks_all) {
   const auto project = find_project(config);
   if (!project) return;
   project->give(command, wanted);
-  for (const auto& [name, address] : project->renderers)
-    renderers.push_back(fmt::format("{}={}", name, address));
+  if (named.empty() && asks_all)
+    for (const auto& [name, address] : project->renderers) named.push_back(name);
+  bool is_foreign = false;
   for (std::string& renderer : named) {
     const auto own = project->renderers.find(renderer);
-    if (own == project->renderers.end())
+    if (own == project->renderers.end()) {
       project->refuse_misspelt(renderer);
-    else
-      renderer = fmt::format("{}={}", own->first, own->second);
+      continue;
+    }
+    renderer = fmt::format("{}={}", own->first, own->second);
+    folders[own->first] = project->folder.string();
+    is_foreign = is_foreign || is_foreign_code(own->second);
   }
-  for (const auto& [name, address] : project->renderers) folders[name] = project->folder.string();
+  if (is_foreign && runs) require_trust(*project, is_trusted);
 }
 
 void ProjectOption::take(CLI::App& command, std::string& named,
@@ -232,24 +270,43 @@ void ProjectOption::take(CLI::App& command, std::string& named,
   named = all.front();
 }
 
+namespace {
+
+// Reads a project's file, and says whose word it is.
+Project open_project(const fs::path& file, bool is_named) {
+  Project project;
+  // The same from every working folder.
+  project.file = without_links(file.parent_path()).value_or("/") / file.filename();
+  project.folder = file.parent_path();
+  const std::string fault = how_others_can_write(project.file);
+  project.is_writable_by_others = !fault.empty();
+  if (!is_named && !fault.empty())
+    throw ProjectError(
+        fmt::format("{}: it is not used unasked, since {}; use it with --config {}, or none with "
+                    "--config /dev/null",
+                    project.file.string(), fault, file.string()));
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!in || (in.peek() != std::ifstream::traits_type::eof() && !(text << in.rdbuf())))
+    throw ProjectError(fmt::format(
+        "{}: it cannot be read; name the file of a project with --config", file.string()));
+  project.text = text.str();
+  return project;
+}
+
+}  // namespace
+
 std::optional<Project> find_project(const std::string& config) {
   const fs::path file = config.empty() ? nearest_file() : fs::path(config);
   if (file.empty()) return std::nullopt;
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf()))
-    throw ProjectError(
-        fmt::format("{}: it cannot be read, or is empty; name the file of a project "
-                    "with --config",
-                    file.string()));
-  Project project;
-  project.folder = file.parent_path();
+  Project project = open_project(file, !config.empty());
   try {
-    ProjectReader(file, project).read(toml::parse(text.str(), file.string()));
+    ProjectReader(file, project).read(toml::parse(project.text, file.string()));
   } catch (const toml::parse_error& error) {
     throw ProjectError(fmt::format("{}:{}: {}; https://toml.io explains the format", file.string(),
                                    error.source().begin.line, error.description()));
   }
+  print_error(fmt::format("the project is {}", project.file.string()));
   return project;
 }
 

@@ -124,8 +124,7 @@ void SuiteRunOptions::add_to(CLI::App& command) {
 }
 
 void SuiteRunOptions::take_project(CLI::App& command, bool asks_all) {
-  project.take(command, renderers, kEveryOption);
-  if (renderers.empty() && asks_all) renderers = project.renderers;
+  project.take(command, renderers, kEveryOption, asks_all);
 }
 
 std::vector<std::string> SuiteRunOptions::named() const {

@@ -35,6 +35,7 @@ struct GtestCommand {
     // Some runners of GoogleTest programs pass no arguments, but set variables.
     app.get_option("--against")->envname("EDGECASE_AGAINST");
     app.get_option("--jobs")->envname("EDGECASE_JOBS");
+    app.get_option("--trust")->envname("EDGECASE_TRUST");
   }
 };
 
@@ -88,6 +89,7 @@ int main(int argc, char** argv) {
   edgecase::GtestCommand command;
   command.add_to(app);
   return static_cast<int>(edgecase::run_program(app, argc, argv, [&] {
+    command.run.project.runs = !GTEST_FLAG_GET(list_tests);
     command.run.take_project(app);
     return edgecase::run(command);
   }));

@@ -260,7 +260,7 @@ void add_bless_command(CLI::App& app, ExitCode& exit) {
       ->excludes("--link");
   add_strict_option(*command, options->strict);
   command->add_flag("--apply", options->apply, "Write the files");
-  options->project.add_to(*command);
+  options->project.add_config_to(*command);
   command->callback([options, command, &exit] {
     if (const auto project = find_project(options->project.config))
       project->give(*command, kEveryOption);

@@ -331,8 +331,7 @@ void add_fuzz_command(CLI::App& app, ExitCode& exit) {
       ->check(CLI::IsMember({"auto", "never"}));
   options->project.add_to(*command);
   command->callback([options, command, &exit] {
-    options->project.take(*command, options->renderers, {"--policy"});
-    if (options->renderers.empty()) options->renderers = options->project.renderers;
+    options->project.take(*command, options->renderers, {"--policy"}, true);
     exit = run_fuzz(*options);
   });
 }

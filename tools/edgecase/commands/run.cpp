@@ -334,6 +334,7 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
       ->excludes("--resume");
   command->add_flag("--list", options->list, "Only list the ids of the selected cases");
   command->callback([options, command, &exit] {
+    options->run.project.runs = !options->list;
     options->run.take_project(*command);
     exit = options->watch && !options->list ? watch(*options) : run(*options);
   });
