@@ -12,8 +12,8 @@ import tempfile
 import unittest
 
 import results_file
-from support import (BIN, EDGECASE, PATIENCE, ROOT, USAGE, CommandTest, environment,
-                     triangle_case)
+from support import (BIN, EDGECASE, INTERNAL, PATIENCE, ROOT, USAGE, CommandTest,
+                     environment, triangle_case)
 from two_users import NOBODY, as_nobody, give_to_nobody, needs_root
 
 # Says that it was started, and draws nothing.
@@ -327,6 +327,36 @@ class TwoUsers(CommandTest):
         self.assertIn(TOLD, told.stderr)
         told = self.command("run", expect=USAGE, XDG_CACHE_HOME=str(caches))
         self.assertIn(TOLD, told.stderr)
+
+    def test_outputs_do_not_go_where_a_link_of_nobody_leads(self):
+        """Nor may others write what another user let everybody write."""
+        self.folder = self.shared
+        shared = self.shared / "like-tmp"
+        shared.mkdir()
+        precious = self.write("precious", "precious")
+        pictures = self.shared / "pictures"
+        pictures.mkdir()
+        for name, target in (("r.json", precious), ("new.json", self.shared / "new"),
+                             ("out", self.shared), ("pictures", pictures)):
+            (shared / name).symlink_to(target)
+        (shared / "open.json").write_text("{}", encoding="utf-8")
+        give_to_nobody(shared)
+        (shared / "open.json").chmod(0o666)
+        shared.chmod(0o1777)
+        self.write("cases/plain.json", triangle_case())
+        run = ("run", "cases", "--against", "exact", "--json")
+        for words in ((*run, shared / "r.json"), (*run, shared / "new.json"),
+                      (*run, shared / "out/precious"), (*run, "-", "--csv", shared / "r.json"),
+                      ("render", "cases", "--png", shared / "pictures")):
+            told = self.command(*words, expect=INTERNAL, XDG_CACHE_HOME=str(self.shared / "caches"))
+            self.assertRegex(told.stderr, f"the link {shared}/[a-z.]+ belongs to another user; "
+                                          "name where it leads")
+        self.assertEqual(precious.read_text("utf-8"), "precious")
+        self.assertFalse((self.shared / "new").exists())
+        self.assertEqual(list(pictures.iterdir()), [])
+        self.command(*run, shared / "open.json", XDG_CACHE_HOME=str(self.shared / "caches"))
+        self.assertEqual((shared / "open.json").stat().st_uid, 0)
+        self.assertEqual((shared / "open.json").stat().st_mode & 0o022, 0)
 
     def test_nobody_has_a_project_too(self):
         caches = self.shared / "nobodys"

@@ -101,6 +101,15 @@ std::string how_others_can_write(const fs::path& file) {
   return end ? fault : fmt::format("links of {} lead in a circle", file.string());
 }
 
+fs::path link_of_others(const fs::path& file) {
+  fs::path found;
+  walk(file, [&](const Step& step) {
+    if (found.empty() && S_ISLNK(step.status.st_mode) && !is_ours(step.status.st_uid))
+      found = step.path;
+  });
+  return found;
+}
+
 std::optional<fs::path> without_links(const fs::path& path) {
   return walk(path, [](const Step&) {});
 }

@@ -24,6 +24,10 @@ namespace edgecase {
 // cannot, or the path leads to nothing.
 std::string how_others_can_write(const std::filesystem::path& file);
 
+// The first link on the way to a file that belongs to neither this user nor the superuser: where it
+// leads others decide. Empty: there is none.
+std::filesystem::path link_of_others(const std::filesystem::path& file);
+
 // The absolute path without links that the kernel reaches by `path`, whose end may be missing.
 // Nothing where links lead in a circle.
 std::optional<std::filesystem::path> without_links(const std::filesystem::path& path);

@@ -11,6 +11,7 @@
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/options.h"
+#include "tools/edgecase/output/whole_file.h"
 #include "tools/edgecase/project.h"
 #include "wire/rendering_json.h"
 
@@ -40,10 +41,12 @@ class Output {
     if (!options_.json.empty()) lines_ += rendering_json(id, rendering) + "\n";
     if (options_.png.empty()) return;
     const std::filesystem::path path = std::filesystem::path(options_.png) / (id + ".png");
+    std::string error = fault_of_links(path);
     std::error_code code;
-    std::filesystem::create_directories(path.parent_path(), code);
-    const std::string error =
-        write_png(path, {rendering.width, rendering.height, rendering.pixels}, options_.scale);
+    if (error.empty()) std::filesystem::create_directories(path.parent_path(), code);
+    if (error.empty())
+      error =
+          write_png(path, {rendering.width, rendering.height, rendering.pixels}, options_.scale);
     if (error.empty()) return;
     print_error(error);
     failed_ = true;

@@ -11,6 +11,7 @@
 #include "model/text.h"
 #include "reports/triptych.h"
 #include "tools/edgecase/options.h"
+#include "tools/edgecase/output/whole_file.h"
 
 namespace edgecase {
 namespace {
@@ -50,6 +51,7 @@ std::string folder_of(const std::string& renderer, std::set<std::string>& taken)
 
 // The error, empty on success.
 std::string write_triptych(const Triptych& triptych, const fs::path& path) {
+  if (std::string fault = fault_of_links(path); !fault.empty()) return fault;
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
   if (error) return fmt::format("cannot write {}: {}", path.string(), error.message());

@@ -10,6 +10,8 @@
 #include <cstring>
 #include <fstream>
 
+#include "tools/edgecase/file_safety.h"
+
 namespace edgecase {
 namespace {
 
@@ -80,7 +82,9 @@ int replace(const fs::path& path, const std::function<void(std::ostream&)>& writ
   const Part part(path);
   if (part.error() != 0) return part.error();
   struct stat before {};
-  if (stat(path.c_str(), &before) == 0) chmod(part.path().c_str(), before.st_mode & 07777);
+  // What another user lets everybody do with a file of his does not hold for ours.
+  if (stat(path.c_str(), &before) == 0 && before.st_uid == geteuid())
+    chmod(part.path().c_str(), before.st_mode & 07777);
   if (const int error = write_as_it_is(part.path(), write)) return error;
   return std::rename(part.path().c_str(), path.c_str()) == 0 ? 0 : errno;
 }
@@ -98,8 +102,16 @@ bool can_be_replaced(const fs::path& path) {
 
 }  // namespace
 
+std::string fault_of_links(const fs::path& path) {
+  const fs::path link = link_of_others(path);
+  if (link.empty()) return "";
+  return fmt::format("cannot write {}: the link {} belongs to another user; name where it leads",
+                     path.string(), link.string());
+}
+
 std::string write_whole_file(const fs::path& path,
                              const std::function<void(std::ostream&)>& write) {
+  if (std::string fault = fault_of_links(path); !fault.empty()) return fault;
   std::error_code error_code;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), error_code);
   if (error_code && !fs::is_directory(path.parent_path()))

@@ -15,9 +15,12 @@
 
 namespace edgecase {
 
-// Writes a file through symbolic links, keeps its permissions, and creates its folder if necessary.
-// Returns the reason for failing and the remedy; empty on success.
+// Writes a file through symbolic links of this user and the superuser, keeps its permissions, and
+// creates its folder if necessary. Returns the reason for failing and the remedy; empty on success.
 std::string write_whole_file(const std::filesystem::path& path,
                              const std::function<void(std::ostream&)>& write);
+
+// Why a file is not written because of a link on the way to it; empty: it may be.
+std::string fault_of_links(const std::filesystem::path& path);
 
 }  // namespace edgecase
