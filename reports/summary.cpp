@@ -189,6 +189,7 @@ void write_summary(const Results& results, bool color, std::ostream& out,
                    std::optional<RunCost> cost) {
   const Painter paint(color);
   out << first_line(results, cost, paint) << '\n';
+  if (cost && !cost->note.empty()) out << one_line(cost->note) << '\n';
   write_unexpected(results, paint, out);
 
   std::vector<std::string> files;

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <iosfwd>
 #include <optional>
+#include <string>
 
 #include "results/comparison.h"
 #include "results/results.h"
@@ -18,6 +19,7 @@ namespace edgecase {
 struct RunCost {
   double seconds = 0;
   std::size_t as_before = 0;  // answers that an earlier run has compared (run/earlier_answers.h)
+  std::string note = {};      // the second line: where they come from; empty: none
 };
 
 // `color`: with ANSI escapes. `cost`: if known. Of each list at most 20

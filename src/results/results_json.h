@@ -57,6 +57,10 @@
 // along a row of pixels (Result::ramp). Of supersampled cases, evidence has a "pass", and a
 // disagreement's "sample" is a pass, both counted from 0; -1 is the image of all passes.
 //
+// While a run goes on, what it has finished lies in a file of this format that is cut off: the
+// cases in any order, each behind a head of its own, and the first line again whenever more is
+// known of the renderers; the last one counts. Every few lines are a frame of Zstandard.
+//
 // The last line, without which a file is cut off:
 //
 //   {"end": true, "cases": number of them, "interrupted", "left_out", "diagnostics": [...],
@@ -69,15 +73,23 @@
 // cases, and not read back.
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "results/results.h"
 
 namespace edgecase {
 
 constexpr int kResultsFormat = 2;
+
+// The first line, and a case's line behind that of its head, which has the same number: what a file
+// that grows case by case is made of.
+std::string header_line(const Results& results);
+std::string case_lines(const CaseResults& one, std::size_t number,
+                       const std::vector<RendererInfo>& renderers);
 
 // Writes lines as they are, or packed: the caller checks the stream's state afterwards.
 void write_results(const Results& results, std::ostream& out);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <istream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -162,7 +163,10 @@ class Reading {
       const ReadJson json = other_line();
       if (json.is_discarded()) break;
       if (json.contains("end")) return finish(json);
-      add_head(json);
+      if (json.contains("edgecase_results"))
+        read_header_again(json);
+      else
+        add_head(json);
     }
     take_all();
     end_early();
@@ -182,6 +186,17 @@ class Reading {
   bool next() {
     where_ = fmt::format("line {}: ", ++number_);
     return lines_.next(line_);
+  }
+
+  // More is known of the renderers than before; they are the same ones. Threads read their names.
+  void read_header_again(const ReadJson& json) {
+    start_batch();
+    while (!started_.empty()) take_first();
+    std::vector<std::string> names;
+    for (const RendererInfo& info : results_.renderers) names.push_back(info.name);
+    read_header(json, results_);
+    if (!std::ranges::equal(names, results_.renderers, {}, {}, &RendererInfo::name))
+      throw std::runtime_error("the renderers are others than those of the first line");
   }
 
   // Discarded where the line is the last one and not whole.

@@ -221,8 +221,25 @@ Json end_json(const Results& results, Gatherers& gatherers) {
   return json;
 }
 
+}  // namespace
+
+std::string header_line(const Results& results) {
+  return dump(header_json(results)) + '\n';
+}
+
+std::string case_lines(const CaseResults& one, std::size_t number,
+                       const std::vector<RendererInfo>& renderers) {
+  std::string text;
+  append_head(one, number, text);
+  text += '\n';
+  append_case(one, number, renderers, text);
+  return text += '\n';
+}
+
+namespace {
+
 void write_lines(const Results& results, const Take& take) {
-  take(dump(header_json(results)) + '\n');
+  take(header_line(results));
   Gatherers gatherers(results.renderers.size());
   write_cases(results, take, gatherers);
   take(dump(end_json(results, gatherers)) + '\n');

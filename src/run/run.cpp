@@ -127,26 +127,21 @@ class Run {
     std::vector<Task> tasks;
     for (const Case& one : asked_cases) tasks.push_back({one.id, &one.scene});
     auto asked = std::chrono::steady_clock::now();
-    try {
-      renderer.render(tasks, [&](std::size_t i, Outcome outcome) {
-        note_duration(tasks[i].id, index, asked);
-        // A failure may come from being stopped itself.
-        if (stopped() && std::holds_alternative<Failure>(outcome)) throw Stopped{};
-        std::unique_ptr<Answer>& answer = results_[cases[i]][index];
-        answer = std::make_unique<Answer>(
-            answer_to(cases[i], asked_cases[i], index, std::move(outcome), renderer));
-        if (!answer->is_kept)
-          count_unexpected(cases[i], asked_cases[i], renderer.info(), answer->result);
-        if (--unanswered_[cases[i]] == 0) complete(cases[i], asked_cases[i]);
-        report_progress();
-        if (stopped() || (enough_ && !is_finishing_)) throw Stopped{};
-        asked = std::chrono::steady_clock::now();
-      });
-    } catch (const Stopped&) {
+    renderer.render(tasks, [&](std::size_t i, Outcome outcome) {
+      note_duration(tasks[i].id, index, asked);
       note_info(index, renderer.info());
-      throw;
-    }
-    note_info(index, renderer.info());
+      // A failure may come from being stopped itself.
+      if (stopped() && std::holds_alternative<Failure>(outcome)) throw Stopped{};
+      std::unique_ptr<Answer>& answer = results_[cases[i]][index];
+      answer = std::make_unique<Answer>(
+          answer_to(cases[i], asked_cases[i], index, std::move(outcome), renderer));
+      if (!answer->is_kept)
+        count_unexpected(cases[i], asked_cases[i], renderer.info(), answer->result);
+      if (--unanswered_[cases[i]] == 0) complete(cases[i], asked_cases[i]);
+      report_progress();
+      if (stopped() || (enough_ && !is_finishing_)) throw Stopped{};
+      asked = std::chrono::steady_clock::now();
+    });
   }
 
   // Compares what the renderer at `index` gave the case at `at`, unless that was done before.
@@ -176,9 +171,11 @@ class Run {
   }
 
   // A renderer without any answer has not reported anything.
-  void note_info(std::size_t index, RendererInfo info) {
+  void note_info(std::size_t index, const RendererInfo& info) {
     const std::lock_guard lock(mutex_);
-    if (infos_[index].device.empty()) infos_[index] = std::move(info);
+    if (!infos_[index].device.empty() || infos_[index] == info) return;
+    infos_[index] = info;
+    is_more_known_ = true;
   }
 
   // Counts a case once, however many renderers answer it unexpectedly.
@@ -209,6 +206,7 @@ class Run {
       read_and_judge(one);
       kept.outline = outline_of(one);  // the rest was judged in the same way before
       shelved_[index].emplace(std::move(kept));
+      tell(one);
       return;
     }
     CaseResults one = describe(answered);
@@ -234,6 +232,20 @@ class Run {
     judge_alone(one, options_.policy.latitude);
     shelved_[index].emplace(one, shelf_);
     readers_.add(one);
+    tell(one);
+  }
+
+  // Tells whoever wants to know that the case is finished.
+  void tell(const CaseResults& one) {
+    if (options_.finished == nullptr) return;
+    const std::lock_guard telling(telling_);
+    std::optional<Results> known;
+    {
+      const std::lock_guard lock(mutex_);
+      if (std::exchange(is_more_known_, false)) known = what_is_known();
+    }
+    if (known) options_.finished->begin(*known);
+    options_.finished->add(one);
   }
 
   // While it is at hand.
@@ -287,7 +299,8 @@ class Run {
     return CaseList(std::move(complete));
   }
 
-  Results collect() {
+  // The results without their cases.
+  Results what_is_known() const {
     Results results;
     results.policy = options_.policy.name;
     results.latitude = options_.policy.latitude;
@@ -295,6 +308,11 @@ class Run {
     results.renderers = infos_;
     results.diagnostics = suite_.diagnostics;
     results.shard = suite_.share;
+    return results;
+  }
+
+  Results collect() {
+    Results results = what_is_known();
     results.cases = take_complete_cases();
     results.left_out = suite_.cases.size() - results.cases.size();
     results.interrupted = results.left_out > 0;
@@ -320,7 +338,9 @@ class Run {
   std::atomic<bool> enough_ = false;   // cases are unexpected
   bool is_finishing_ = false;          // what was begun before that
   std::set<std::size_t> unexpected_;   // cases, where their number matters
+  bool is_more_known_ = true;          // of the renderers than was told
   std::mutex mutex_;
+  std::mutex telling_;
 };
 
 }  // namespace

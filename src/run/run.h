@@ -24,6 +24,20 @@
 
 namespace edgecase {
 
+// Takes what a run finds while it goes on. One call at a time, from any thread.
+class FinishedCases {
+ public:
+  virtual ~FinishedCases() = default;
+  // Before all others, where the run goes on with an earlier one: what of that is kept.
+  virtual void hold(const Results& earlier) = 0;
+  // What is known of the run, without its cases: before the first one, and again whenever a
+  // renderer has said what it is.
+  virtual void begin(const Results& run) = 0;
+  // A case that all renderers have answered. Where the run decides on its verdict (depends_on_run),
+  // it is not judged yet.
+  virtual void add(const CaseResults& one) = 0;
+};
+
 struct RunOptions {
   Policy policy;
   std::vector<std::string> renderers;  // names that make_renderer knows
@@ -46,7 +60,8 @@ struct RunOptions {
   // same rules, is not found once more (run/earlier_answers.h). The same results, sooner. Null:
   // none. Must live as long as the run, and is not used where max_unexpected is set.
   const Results* earlier = nullptr;
-  std::size_t* kept = nullptr;  // the number of such answers; filled, where it is set
+  std::size_t* kept = nullptr;        // the number of such answers; filled, where it is set
+  FinishedCases* finished = nullptr;  // told of each case, where it is set
 };
 
 // Runs and judges. Renderer names must be known. Cases that were left out when the run ended early

@@ -190,5 +190,35 @@ TEST(ResultsJson, TheSummaryCountsVerdicts) {
   EXPECT_TRUE(count_verdicts(results, 1).empty());
 }
 
+// While a run goes on, its cases come in any order, and more becomes known of its renderers.
+TEST(ResultsJson, WhatIsWrittenCaseByCaseReadsBack) {
+  const Results results = full_results();
+  Results begun = results;
+  for (RendererInfo& info : begun.renderers) info = {info.name, "", "", "", 4, {}};
+  begun.policy_digest = "of no profile";
+  std::string text = header_line(begun);
+  text += case_lines(results.cases[1], 0, results.renderers);
+  text += header_line(results);
+  text += case_lines(results.cases[0], 1, results.renderers);
+  const auto outcome = read_results(text, Cut::kept);
+  ASSERT_TRUE(std::holds_alternative<Results>(outcome)) << std::get<std::string>(outcome);
+  const Results& found = std::get<Results>(outcome);
+  EXPECT_TRUE(found.interrupted);
+  EXPECT_EQ(found.policy_digest, results.policy_digest);
+  EXPECT_EQ(found.renderers, results.renderers);
+  ASSERT_EQ(found.cases.size(), 2U);
+  expect_case(found.cases[0], results.cases[1]);
+  expect_case(found.cases[1], results.cases[0]);
+}
+
+TEST(ResultsJson, OtherRenderersInTheMiddleAreRefused) {
+  Results results = full_results();
+  std::string text = header_line(results) + case_lines(results.cases[0], 0, results.renderers);
+  std::swap(results.renderers[0].name, results.renderers[1].name);
+  const auto outcome = read_results(text + header_line(results), Cut::kept);
+  ASSERT_TRUE(std::holds_alternative<std::string>(outcome));
+  EXPECT_NE(std::get<std::string>(outcome).find("renderers are others"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace edgecase

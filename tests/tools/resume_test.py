@@ -47,8 +47,6 @@ class ResumeTest(CommandTest):
         return self.command("run", "cases", *arguments, "--json", "results.json", "--resume",
                             expect=expect).stderr
 
-
-class Interrupted(ResumeTest):
     def interrupt(self, renderer, stop, *options):
         """A run that is stopped when it has asked for three answers; its standard error."""
         running = subprocess.Popen([EDGECASE, "run", "cases", "--against", renderer, "--jobs", "1",
@@ -63,6 +61,8 @@ class Interrupted(ResumeTest):
         _, errors = running.communicate(timeout=PATIENCE)
         return running.returncode, errors
 
+
+class Interrupted(ResumeTest):
     def reports(self, name):
         return {kind: (self.folder / name / f"reports.{kind}").read_bytes() for kind in REPORTS}
 
@@ -91,17 +91,22 @@ class Interrupted(ResumeTest):
                 self.assertEqual(self.reports(stop.name), self.reports("whole"))
 
     def test_killed_outright(self):
-        """What an earlier run wrote is still there, whole."""
+        """What an earlier run wrote is still there, whole, and what this one had finished beside it:
+        that is gone on with."""
         renderer = self.odd_renderer("nap", "", "cases")
         self.command("run", "cases", "--against", renderer, "--json", "results.json")
-        self.keep(*NAMES[:5])
+        whole = (self.folder / "results.json").read_bytes()
+        self.keep(*NAMES[3:])
         before = self.read()
         self.asked()
         code, _ = self.interrupt(renderer, signal.SIGKILL, "--json", "results.json")
         self.assertEqual(code, -signal.SIGKILL)
         self.assertEqual(self.read(), before)
-        self.assertIn("5 of 8 cases are taken over", self.resume("--against", renderer))
-        self.assertEqual(list(verdicts(self.read())), NAMES)
+        told = self.resume("--against", renderer)
+        self.assertRegex(told, "^edgecase: [23] of 8 cases are taken over from "
+                               "results.json.unfinished\n$")
+        self.assertEqual((self.folder / "results.json").read_bytes(), whole)
+        self.assertFalse((self.folder / "results.json.unfinished").exists())
 
     def test_interrupted_twice(self):
         renderer = self.odd_renderer("nap", "", "cases")

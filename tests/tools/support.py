@@ -32,9 +32,9 @@ PROBES = [SUITE, "--exclude", "scenes/*"]
 # Mesa ended OSMesa in 25.1.
 FRONT_ENDS = ("osmesa", "egl") if glob.glob("/usr/lib/*/libOSMesa.so.*") else ("egl",)
 MESA = [f"{front_end}:{driver}" for front_end in FRONT_ENDS for driver in ("llvmpipe", "softpipe")]
-# What CI systems set for their own shards must not reach the command under test.
-SHARD_VARIABLES = ("TEST_TOTAL_SHARDS", "TEST_SHARD_INDEX", "TEST_SHARD_STATUS_FILE",
-                   "CI_NODE_TOTAL", "CI_NODE_INDEX")
+# What CI systems set, for their own shards for instance, must not reach the command under test.
+CI_VARIABLES = ("CI", "TEST_TOTAL_SHARDS", "TEST_SHARD_INDEX", "TEST_SHARD_STATUS_FILE",
+                "CI_NODE_TOTAL", "CI_NODE_INDEX")
 # Seconds, for a command over the whole suite on a busy machine; builds that are slow need more.
 PATIENCE = int(os.environ.get("EDGECASE_TEST_PATIENCE", "1200"))
 # For one answer of a renderer: the command's own ten seconds, and as many more as builds are slow.
@@ -54,7 +54,7 @@ def mesa_release():
 
 
 def environment(**more):
-    result = {k: v for k, v in os.environ.items() if k not in SHARD_VARIABLES}
+    result = {k: v for k, v in os.environ.items() if k not in CI_VARIABLES}
     result.update(more)
     return result
 

@@ -75,7 +75,8 @@ std::optional<RunDifference> difference_at_once(const MergePart& earlier, const 
 
 // Runs what the earlier results do not hold, and merges.
 std::variant<Results, std::string> run_rest(const Suite& suite, RunOptions& run,
-                                            const SuiteRunOptions& options, MergePart earlier) {
+                                            const SuiteRunOptions& options, MergePart earlier,
+                                            FinishedCases* finished) {
   const std::string name = earlier.name;
   auto resumed = resume(suite, std::move(earlier));
   if (auto* fault = std::get_if<std::string>(&resumed)) return std::move(*fault);
@@ -86,6 +87,8 @@ std::variant<Results, std::string> run_rest(const Suite& suite, RunOptions& run,
   print_error(fmt::format("{} of {} {} taken over from {}", first.results.cases.size(),
                           counted(suite.cases.size(), "case", "cases"),
                           first.results.cases.size() == 1 ? "is" : "are", name));
+  run.finished = finished;
+  if (finished != nullptr) finished->hold(first.results);
   MergePart second{kThisRun, run_with_progress(rest, run, options)};
   auto merged = merge_results({std::move(first), std::move(second)}, false);
   if (auto* results = std::get_if<Results>(&merged)) results->shard = suite.share;
@@ -153,8 +156,11 @@ std::optional<Results> run_judged(const Suite& suite, const Policy& policy,
   run.earlier = judged.compared;
   run.kept = judged.kept;
   const InterruptGuard guard;
-  auto ran = judged.earlier ? run_rest(suite, run, options, std::move(*judged.earlier))
-                            : run_with_progress(suite, run, options);
+  if (!judged.earlier) run.finished = judged.finished;
+  auto ran = judged.earlier
+                 ? run_rest(suite, run, options, std::move(*judged.earlier), judged.finished)
+                 : run_with_progress(suite, run, options);
+  run.finished = nullptr;
   if (const auto* fault = std::get_if<std::string>(&ran)) {
     print_error(*fault);
     return std::nullopt;

@@ -12,6 +12,7 @@
 #include "results/known_faults.h"
 #include "results/results.h"
 #include "run/merge.h"
+#include "run/run.h"
 #include "run/selection.h"
 #include "tools/edgecase/exit_code.h"
 #include "tools/edgecase/options.h"
@@ -58,6 +59,7 @@ struct JudgedRun {
   bool likely_first = true;           // RunOptions has it
   const Results* compared = nullptr;  // RunOptions::earlier
   std::size_t* kept = nullptr;        // RunOptions has it
+  FinishedCases* finished = nullptr;  // RunOptions has it
 };
 
 // The same, with the known faults applied. Says on standard error where not all unexpected answers

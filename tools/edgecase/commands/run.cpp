@@ -21,7 +21,9 @@
 #include "run/record.h"
 #include "run/rerun.h"
 #include "tools/edgecase/commands/commands.h"
+#include "tools/edgecase/earlier_results.h"
 #include "tools/edgecase/interrupt.h"
+#include "tools/edgecase/journal.h"
 #include "tools/edgecase/output/delivery.h"
 #include "tools/edgecase/suite_run.h"
 #include "tools/edgecase/watched_files.h"
@@ -39,6 +41,7 @@ struct RunCommand {
   bool list = false;
   bool last_failed = false;
   bool resume = false;
+  bool is_json_named = false;  // on the command line, and not by a project
   bool no_rerun = false;
   bool ask_all = false;
   bool strict = false;
@@ -77,20 +80,14 @@ std::optional<ExitCode> narrow_to_last_failed(const RunCommand& command, Selecti
 
 // The run to go on with, where there is one; otherwise the exit code that asking for it deserves,
 // with the reason printed.
-std::variant<std::optional<MergePart>, ExitCode> earlier_run(const RunCommand& command) {
-  std::optional<MergePart> earlier;
-  if (!command.resume) return earlier;
+std::variant<EarlierRun, ExitCode> earlier_run(const RunCommand& command, const UserKey& key) {
+  if (!command.resume) return EarlierRun{std::nullopt, true};
   const std::string path = command.files.json_path();
   if (path.empty()) {
     print_error("--resume goes on with a file and writes it anew; name it with --json");
     return ExitCode::usage;
   }
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return earlier;
-  ExitCode exit = ExitCode::as_expected;
-  auto results = load_results(path, exit, Cut::kept);
-  if (!results) return exit;
-  return MergePart{path, std::move(*results)};
+  return run_to_resume(path, command.is_json_named, key);
 }
 
 // Says how to go on where not all was done, and the file to go on with is there.
@@ -142,24 +139,41 @@ struct Watched {
 };
 
 // The run to go on with.
-std::variant<std::optional<MergePart>, ExitCode> kept_answers(const RunCommand& command,
-                                                              const Watched* watched) {
-  if (watched == nullptr || !watched->latest) return earlier_run(command);
-  std::optional<MergePart> latest;
-  if (watched->keeps_answers) latest = MergePart{"the latest run", *watched->latest};
+std::variant<EarlierRun, ExitCode> kept_answers(const RunCommand& command, const Watched* watched,
+                                                const UserKey& key) {
+  if (watched == nullptr || !watched->latest) return earlier_run(command, key);
+  EarlierRun latest{std::nullopt, true};
+  if (watched->keeps_answers) latest.run = MergePart{"the latest run", *watched->latest};
   return latest;
 }
 
 // Results that know what was found of many answers of the run: those of --since, of the run before
-// that is watched, or those that the run is to replace, which are then read into `replaced`. Null:
-// none.
-const Results* compared_before(const RunCommand& command, const std::optional<Results>& since,
-                               const Watched* watched, std::optional<Results>& replaced) {
-  if (command.ask_all || command.resume) return nullptr;
-  if (since) return &*since;
-  if (watched != nullptr && watched->latest) return &*watched->latest;
-  replaced = load_results_if_any(command.files.json_path());
-  return replaced ? &*replaced : nullptr;
+// that is watched, or those that the run is to replace.
+struct ComparedBefore {
+  FoundResults found;
+  const Results* results = nullptr;  // null: none
+  std::string path;                  // of their file; empty: they have none
+
+  // What the summary says of `kept` answers that were taken over, or why none were.
+  std::string note(std::size_t kept) const {
+    if (!found.doubt.empty())
+      return fmt::format("nothing is taken over from {}: {}; --since {} takes it over all the same",
+                         path, found.doubt, path);
+    if (kept == 0 || path.empty()) return "";
+    return fmt::format("{} as in {}, and not compared anew; --ask-all compares {}",
+                       counted(kept, "answer is", "answers are"), path, kept == 1 ? "it" : "them");
+  }
+};
+
+ComparedBefore compared_before(const RunCommand& command, const std::optional<Results>& since,
+                               const Watched* watched, const UserKey& key) {
+  ComparedBefore before;
+  if (command.ask_all || command.resume || command.max_failures > 0) return before;
+  if (since) return {{}, &*since, command.since};
+  if (watched != nullptr && watched->latest) return {{}, &*watched->latest, ""};
+  before.path = command.files.json_path();
+  before.found = own_results(before.path, key);
+  return before;
 }
 
 // One line, what has changed since the latest results, and the files.
@@ -207,15 +221,23 @@ ExitCode run(const RunCommand& command, Watched* watched = nullptr) {
   if (!known) return ExitCode::usage;
   const auto profiles = load_profiles(selection, command.run.named());
   if (!profiles) return ExitCode::usage;
-  auto earlier = kept_answers(command, watched);
-  if (const auto* exit = std::get_if<ExitCode>(&earlier)) return *exit;
-  JudgedRun judged{std::move(*known), command.max_failures,
-                   !command.no_rerun, is_whole_suite(selection),
-                   command.strict,    std::move(std::get<std::optional<MergePart>>(earlier))};
+  const UserKey key;
+  auto found = kept_answers(command, watched, key);
+  if (const auto* exit = std::get_if<ExitCode>(&found)) return *exit;
+  auto& [earlier, is_own] = std::get<EarlierRun>(found);
+  JudgedRun judged{std::move(*known),         command.max_failures, !command.no_rerun,
+                   is_whole_suite(selection), command.strict,       std::move(earlier)};
   ReportFiles files = command.files;
+  // What was taken over from another's file is not this user's work.
+  if (is_own && (!since || command.ask_all)) files.key = key.get();
+  Journal journal(watched == nullptr ? files.json_path() : "", files.key);
+  judged.finished = &journal;
+  if (!judged.earlier && !suite.cases.empty()) journal.start();
   judged.likely_first = !command.ask_all;
-  std::optional<Results> replaced;
-  judged.compared = compared_before(command, since, watched, replaced);
+  ComparedBefore before = compared_before(command, since, watched, key);
+  judged.compared = before.results != nullptr ? before.results
+                    : before.found.results    ? &*before.found.results
+                                              : nullptr;
   std::size_t kept = 0;
   judged.kept = &kept;
   if (!command.timings.empty()) judged.durations = &files.durations;
@@ -232,7 +254,9 @@ ExitCode run(const RunCommand& command, Watched* watched = nullptr) {
   ExitCode delivered =
       watched != nullptr && watched->latest
           ? deliver_changes(*watched->latest, *results, files, command.color, took.count())
-          : deliver_results(*results, files, command.color, RunCost{took.count(), kept});
+          : deliver_results(*results, files, command.color,
+                            RunCost{took.count(), kept, before.note(kept)});
+  if (delivered != ExitCode::internal) journal.remove();
   if (!write_timings(command.timings, files.durations)) delivered = ExitCode::internal;
   const ExitCode exit = failing_on(command, *results, delivered, files.since);
   if (exit != ExitCode::internal) print_way_on(command, *results);
@@ -295,7 +319,8 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
   add_known_option(*command, options->known);
   command->add_option("--since", options->since,
                       "Earlier results file: the summary and the HTML report tell every change "
-                      "against it, legal ones too");
+                      "against it, legal ones too, and what it says of answers that are, to the "
+                      "bit, the same is believed");
   command
       ->add_option("--fail-on", options->fail_on,
                    "What ends with exit code 1: unexpected violations, any change since the "
@@ -311,8 +336,9 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
                     "file that --json names, or in out/results.zst");
   command
       ->add_flag("--resume", options->resume,
-                 "Continue a run that ended early: keep the results of unchanged cases from the "
-                 "file that --json names, or from out/results.zst, and run the rest")
+                 "Continue a run that ended early or was killed: keep the results of unchanged "
+                 "cases from the file that --json names, or from out/results.zst if a run of yours "
+                 "wrote it, and run the rest")
       ->excludes("--last-failed");
   command
       ->add_option("--max-failures", options->max_failures,
@@ -335,6 +361,7 @@ void add_run_command(CLI::App& app, ExitCode& exit) {
   command->add_flag("--list", options->list, "Only list the ids of the selected cases");
   command->callback([options, command, &exit] {
     options->run.project.runs = !options->list;
+    options->is_json_named = !options->files.json.empty();
     options->run.take_project(*command);
     exit = options->watch && !options->list ? watch(*options) : run(*options);
   });

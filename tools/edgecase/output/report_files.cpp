@@ -36,6 +36,13 @@ bool write_one(const std::string& path, const std::function<void(std::ostream&)>
   return true;
 }
 
+void write_and_remember(const Results& results, const ResultsKey* key, std::ostream& out) {
+  if (key == nullptr) return write_packed_results(results, out);
+  CodedStream coded(out, *key);
+  write_packed_results(results, coded);
+  key->remember(coded.code());
+}
+
 // On GitHub, annotations are for files of the repository, wherever in it the command runs. Without
 // what GitHub sets, the path as it was given.
 std::string path_in_repository(const std::string& file) {
@@ -58,15 +65,6 @@ std::optional<Results> load_results(const std::string& path, ExitCode& exit, Cut
   if (auto* results = std::get_if<Results>(&read)) return std::move(*results);
   exit = ExitCode::usage;
   print_error(fmt::format("{}: {}", path, std::get<std::string>(read)));
-  return std::nullopt;
-}
-
-std::optional<Results> load_results_if_any(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
-  std::ifstream file(path, std::ios::binary);
-  auto read = read_results(file, Cut::kept);
-  if (auto* results = std::get_if<Results>(&read)) return std::move(*results);
   return std::nullopt;
 }
 
@@ -193,7 +191,7 @@ bool ReportFiles::write(const Results& results) const {
     wrote = write_one(path, write) && wrote;
   };
   add(none ? kDefaultJson : json, [&](std::ostream& out) {
-    json == "-" ? write_results(results, out) : write_packed_results(results, out);
+    json == "-" ? write_results(results, out) : write_and_remember(results, key, out);
   });
   add(none ? "out/junit.xml" : junit,
       [&](std::ostream& out) { write_junit(results, durations, out); });

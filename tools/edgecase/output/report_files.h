@@ -15,6 +15,7 @@
 #include "results/generations.h"
 #include "results/results_json.h"
 #include "tools/edgecase/exit_code.h"
+#include "tools/edgecase/results_key.h"
 
 namespace edgecase {
 
@@ -22,10 +23,6 @@ namespace edgecase {
 // `exit` is then `internal` for a file that cannot be read, `usage` for one that holds no results.
 std::optional<Results> load_results(const std::string& path, ExitCode& exit,
                                     Cut cut = Cut::refused);
-
-// The same, of a file that may be missing, broken or cut off: whoever asks can do without it, and
-// nothing is printed.
-std::optional<Results> load_results_if_any(const std::string& path);
 
 // Adds the results of a file to the generations of drivers. Prints an error and returns false for
 // results that are not whole.
@@ -60,6 +57,7 @@ struct ReportFiles {
   Durations durations;              // for JUnit XML and CTRF
   std::optional<Comparison> since;  // what the HTML report tells to have changed
   Generations generations;          // known faults by release, for the HTML report
+  const ResultsKey* key = nullptr;  // remembers the results, where it is set
 
   // `json_names`: how the option for the results file is called.
   void add_to(CLI::App& command, const std::string& json_names = "--json");
