@@ -30,7 +30,6 @@ struct RendererInfo {
   int subpixel_bits =
       4;  // GL_SUBPIXEL_BITS; 4, the least that OpenGL allows, where nothing is said
   std::map<std::string, std::string> traits;  // further claims, by name
-  friend bool operator==(const RendererInfo&, const RendererInfo&) = default;
 };
 
 // A scene to render, with the id of its case, which renderers use only in messages.

@@ -33,6 +33,11 @@ namespace {
 // Thrown out of a renderer's sink when the run should end.
 struct Stopped {};
 
+auto all_of(const RendererInfo& info) {
+  return std::tie(info.name, info.vendor, info.version, info.device, info.subpixel_bits,
+                  info.traits);
+}
+
 class Run {
  public:
   Run(const Suite& suite, const RunOptions& options)
@@ -173,8 +178,9 @@ class Run {
   // A renderer without any answer has not reported anything.
   void note_info(std::size_t index, const RendererInfo& info) {
     const std::lock_guard lock(mutex_);
-    if (!infos_[index].device.empty() || infos_[index] == info) return;
-    infos_[index] = info;
+    RendererInfo& known = infos_[index];
+    if (!known.device.empty() || all_of(known) == all_of(info)) return;
+    known = info;
     is_more_known_ = true;
   }
 

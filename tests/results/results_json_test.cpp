@@ -205,7 +205,7 @@ TEST(ResultsJson, WhatIsWrittenCaseByCaseReadsBack) {
   const Results& found = std::get<Results>(outcome);
   EXPECT_TRUE(found.interrupted);
   EXPECT_EQ(found.policy_digest, results.policy_digest);
-  EXPECT_EQ(found.renderers, results.renderers);
+  EXPECT_EQ(header_line(found), header_line(results));
   ASSERT_EQ(found.cases.size(), 2U);
   expect_case(found.cases[0], results.cases[1]);
   expect_case(found.cases[1], results.cases[0]);

@@ -9,20 +9,25 @@ import unittest
 
 import results_file
 from resume_test import NAMES, ResumeTest
-from support import AS_EXPECTED, RENDERER, UNEXPECTED, USAGE
+from support import RENDERER, UNEXPECTED, USAGE
 
 OUT = "out/results.zst"
 JOURNAL = f"{OUT}.unfinished"
-# Dies of the first case, takes its time, and refuses the others.
-LATE = """import json, sys, time
+# Draws everything red, and takes its time while there is a file named "pause"; the case that its
+# second word names is the death of it.
+PROGRAM = """import json, os, sys, time
+folder, victim = sys.argv[1:]
 for line in sys.stdin:
     request = json.loads(line)
-    if request["id"] == "case-0":
+    if request["id"] == victim:
         sys.exit(7)
-    with open(sys.argv[1], "ab") as marks:
+    with open(folder + "/truth.jsonl.marks", "ab") as marks:
         marks.write(b".")
-    time.sleep(.2)
-    print(json.dumps({"digest": request["digest"], "not_run": "no",
+    if os.path.exists(folder + "/pause"):
+        time.sleep(.2)
+    target = request["scene"]["target"]
+    pixels = [255, 0, 0, 255] * (target["width"] * target["height"])
+    print(json.dumps({"digest": request["digest"], "pixels": pixels, "fragments": [],
                       "renderer": {"device": "a device"}}), flush=True)
 """
 
@@ -30,33 +35,39 @@ for line in sys.stdin:
 class JournalTest(ResumeTest):
     def setUp(self):
         super().setUp()
-        self.renderer = self.odd_renderer("nap", "", "cases")
+        script = self.write("program.py", PROGRAM)
+        self.program = f"mine=exec:{sys.executable} {script} {self.folder}"
+        self.renderer = f"{self.program} none"
         self.journal = self.folder / JOURNAL
+
+    def run_all(self, *arguments, expect=UNEXPECTED, **variables):
+        return self.command("run", "cases", "--against", self.renderer, "--no-rerun", *arguments,
+                            expect=expect, **variables).stderr
 
     def kill(self, *arguments):
         """A run that is killed when it has asked for some answers; how many it surely compared."""
         self.asked()
-        code, errors = self.interrupt(self.renderer, signal.SIGKILL, *arguments)
-        self.assertEqual((code, errors), (-signal.SIGKILL, ""))
+        pause = self.write("pause", "")
+        code, _ = self.interrupt(self.renderer, signal.SIGKILL, "--no-rerun", *arguments)
+        pause.unlink()
+        self.assertEqual(code, -signal.SIGKILL)
         return self.asked() - 1
 
-    def go_on(self, *arguments, expect=AS_EXPECTED, **variables):
+    def go_on(self, *arguments, expect=UNEXPECTED, **variables):
         """The standard error of a run that goes on with the one that was killed."""
-        run = self.command("run", "cases", "--against", self.renderer, "--resume", *arguments,
-                           expect=expect, **variables)
-        return run.stderr
-
-    def held(self):
-        return [case["id"] for case in self.read_journal()["cases"]]
+        return self.run_all("--resume", *arguments, expect=expect, **variables)
 
     def read_journal(self):
         text = results_file.unpacked(self.journal.read_bytes())
         return results_file.parsed(text + '{"end": true, "cases": 0}\n')
 
-    def check_whole(self, path=OUT):
+    def held(self):
+        return [case["id"] for case in self.read_journal()["cases"]]
+
+    def check_whole(self, expect=UNEXPECTED):
         self.assertFalse(self.journal.exists())
-        resumed = (self.folder / path).read_bytes()
-        self.command("run", "cases", "--against", self.renderer, "--ask-all", "--json", "whole.zst")
+        resumed = (self.folder / OUT).read_bytes()
+        self.run_all("--ask-all", "--json", "whole.zst", expect=expect)
         self.assertEqual(resumed, (self.folder / "whole.zst").read_bytes())
 
 
@@ -85,7 +96,8 @@ class GoneOnWith(JournalTest):
         self.kill()
         held = len(self.held())
         whole = self.journal.read_bytes()
-        for torn in whole[:-1], whole[:-36], whole[:-40], whole[:-41], whole + b"\0" * 100, whole + whole[:20]:
+        for torn in (whole[:-1], whole[:-36], whole[:-40], whole[:-41], whole + b"\0" * 100,
+                     whole + whole[:20]):
             self.journal.write_bytes(torn)
             left = held if torn.startswith(whole) else held - 1
             self.assertIn(f"{left} of 8 cases ", self.go_on())
@@ -93,7 +105,7 @@ class GoneOnWith(JournalTest):
 
     def test_nothing_was_finished(self):
         """Then what lies there is of an earlier run, and that is not gone on with."""
-        self.command("run", "cases", "--against", self.renderer)
+        self.run_all()
         self.journal.write_bytes(b"")
         self.asked()
         self.assertEqual(self.go_on(), "")
@@ -101,26 +113,21 @@ class GoneOnWith(JournalTest):
         self.check_whole()
 
     def test_a_run_that_ends_leaves_none(self):
-        wrong = self.odd_renderer("mirror", "", "cases")
-        for expect, *arguments in ((AS_EXPECTED, "--against", "exact"),
-                                   (UNEXPECTED, "--against", wrong),
-                                   (UNEXPECTED, "--against", wrong, "--max-failures", "1")):
+        for arguments in [], ["--max-failures", "1"], ["--shard", "1/2"]:
             self.kill()
             self.assertTrue(self.journal.exists())
-            self.command("run", "cases", *arguments, expect=expect)
+            self.run_all(*arguments)
             self.assertFalse(self.journal.exists())
 
-    def test_a_renderer_that_answers_late(self):
-        """What it is becomes known when a case is finished already."""
-        script = self.write("late.py", LATE)
-        self.renderer = f"mine=exec:{sys.executable} {script} {self.marks}"
-        self.kill("--no-rerun")
-        self.assertEqual(self.read_journal()["renderers"][0]["device"], "a device")
-        self.go_on("--no-rerun", expect=RENDERER)
-        resumed = (self.folder / OUT).read_bytes()
-        self.command("run", "cases", "--against", self.renderer, "--no-rerun", "--json", "whole.zst",
-                     expect=RENDERER)
-        self.assertEqual(resumed, (self.folder / "whole.zst").read_bytes())
+    def test_what_a_renderer_is_becomes_known_late(self):
+        """A case is finished already."""
+        self.renderer = f"{self.program} case-0"
+        self.kill()
+        read = self.read_journal()
+        self.assertIn("failure", read["cases"][0]["results"]["mine"])
+        self.assertEqual(read["renderers"][0]["device"], "a device")
+        self.go_on(expect=RENDERER)
+        self.check_whole(expect=RENDERER)
 
     def test_other_files_have_none(self):
         for path in "-", "/dev/null":
@@ -144,7 +151,7 @@ class Believed(JournalTest):
             f"you trust it, name the results with --json {OUT}, or else remove it\n")
 
     def test_what_no_run_of_the_user_wrote(self):
-        self.command("run", "cases", "--against", self.renderer)
+        self.run_all()
         self.kill()
         own = self.journal.read_bytes()
         forged = self.forge()
@@ -156,7 +163,7 @@ class Believed(JournalTest):
         self.check_whole()
 
     def test_who_names_the_results_is_believed(self):
-        self.command("run", "cases", "--against", self.renderer)
+        self.run_all()
         self.journal.write_bytes(self.forge())
         self.assertIn("8 of 8 cases are taken over", self.go_on("--json", OUT))
         # Nobody else is: what comes of it is not the user's own.
@@ -173,7 +180,7 @@ class Believed(JournalTest):
         self.check_whole()
 
     def test_results_without_a_journal(self):
-        self.command("run", "cases", "--against", self.renderer)
+        self.run_all()
         results = self.folder / OUT
         results.write_text(results_file.text_of(results_file.read(results)), "utf-8")
         self.check_refused("it is not as a run of yours wrote it", OUT)

@@ -56,8 +56,8 @@ std::size_t size_of_whole_frames(std::string_view bytes, const ResultsKey* key, 
     if (left.starts_with(kCodeHead)) {
       if (left.size() < kCodeHead.size() + ResultsKey::kCodeSize) break;
       code = left.substr(kCodeHead.size(), ResultsKey::kCodeSize);
-    } else if (is_own && kCodeHead.starts_with(left)) {
-      break;  // the code is cut off
+    } else if (is_own && whole > 0 && kCodeHead.starts_with(left)) {
+      break;  // the frames before have codes, and this one's is cut off
     }
     is_own = is_own && coder->add(last_code).add(frame).code() == code;
     last_code = code;

@@ -150,10 +150,14 @@ std::variant<EarlierRun, ExitCode> kept_answers(const RunCommand& command, const
 // Results that know what was found of many answers of the run: those of --since, of the run before
 // that is watched, or those that the run is to replace.
 struct ComparedBefore {
-  FoundResults found;
-  const Results* results = nullptr;  // null: none
-  std::string path;                  // of their file; empty: they have none
+  FoundResults found;              // in the place of the run's own
+  const Results* named = nullptr;  // or others
+  std::string path;                // of their file; empty: they have none
 
+  // Null: there are none.
+  const Results* get() const {
+    return named != nullptr ? named : found.results ? &*found.results : nullptr;
+  }
   // What the summary says of `kept` answers that were taken over, or why none were.
   std::string note(std::size_t kept) const {
     if (!found.doubt.empty())
@@ -234,10 +238,8 @@ ExitCode run(const RunCommand& command, Watched* watched = nullptr) {
   judged.finished = &journal;
   if (!judged.earlier && !suite.cases.empty()) journal.start();
   judged.likely_first = !command.ask_all;
-  ComparedBefore before = compared_before(command, since, watched, key);
-  judged.compared = before.results != nullptr ? before.results
-                    : before.found.results    ? &*before.found.results
-                                              : nullptr;
+  const ComparedBefore before = compared_before(command, since, watched, key);
+  judged.compared = before.get();
   std::size_t kept = 0;
   judged.kept = &kept;
   if (!command.timings.empty()) judged.durations = &files.durations;
