@@ -137,8 +137,9 @@ class GoneOnWith(JournalTest):
 
 class Believed(JournalTest):
     def forge(self):
-        """A journal with what the results in out/ say."""
+        """A journal with what the results in out/ say, and a number that is none of theirs."""
         results = results_file.read(self.folder / OUT)
+        results["cases"][5]["fragments"] = 99
         text = results_file.text_of(results)
         lines = "".join(f"{line}\n" for line in text.splitlines()[:-1])
         return subprocess.run(["zstd", "-q"], input=lines.encode(), capture_output=True,
@@ -153,13 +154,15 @@ class Believed(JournalTest):
     def test_what_no_run_of_the_user_wrote(self):
         self.run_all()
         self.kill()
+        held = len(self.held())
         own = self.journal.read_bytes()
         forged = self.forge()
-        for content in forged, own + forged, own[:-40] + forged, own + own[-300:]:
+        for content in forged, forged + own, own[:-40] + forged, own + forged + own[-40:]:
             self.journal.write_bytes(content)
             self.check_refused("it is not as a run of yours wrote it")
-        self.journal.write_bytes(own)
-        self.go_on()
+        # A last frame without its code counts as torn.
+        self.journal.write_bytes(own + forged)
+        self.assertIn(f"{held} of 8 cases ", self.go_on())
         self.check_whole()
 
     def test_who_names_the_results_is_believed(self):

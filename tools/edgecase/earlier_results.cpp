@@ -67,13 +67,13 @@ ExitCode refuse(const std::string& path, const std::string& results, const std::
 std::variant<EarlierRun, ExitCode> run_of_journal(const std::string& path, bool is_named,
                                                   const UserKey& key) {
   const std::string journal = journal_of(path).string();
-  auto read = read_journal(journal, key.get());
+  auto read = read_journal(journal, key.get(), is_named);
   if (const auto* fault = std::get_if<std::string>(&read)) {
     print_error(*fault);
     return ExitCode::usage;
   }
   auto& [run, is_own] = std::get<JournalRead>(read);
-  if (run && !is_named)
+  if (!is_named && (run || !is_own))
     if (const std::string doubt = doubt_about(journal, is_own, key); !doubt.empty())
       return refuse(journal, path, doubt);
   return EarlierRun{std::move(run), is_own};

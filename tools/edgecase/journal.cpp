@@ -172,13 +172,15 @@ void Journal::remove() {
   if (file_ >= 0) close(std::exchange(file_, -1));
 }
 
-std::variant<JournalRead, std::string> read_journal(const fs::path& path, const ResultsKey* key) {
+std::variant<JournalRead, std::string> read_journal(const fs::path& path, const ResultsKey* key,
+                                                    bool is_named) {
   JournalRead read;
   std::ifstream file(path, std::ios::binary);
   if (!file) return fmt::format("cannot read {}", path.string());
   std::string bytes{std::istreambuf_iterator<char>(file), {}};
   bytes.resize(size_of_whole_frames(bytes, key, read.is_own));
-  if (bytes.empty()) return read;
+  if (bytes.empty()) return JournalRead{std::nullopt, true};
+  if (!is_named && !read.is_own) return read;
   auto results = read_results(bytes, Cut::kept);
   if (auto* fault = std::get_if<std::string>(&results))
     return fmt::format("{}: {}; or remove it to run all", path.string(), *fault);

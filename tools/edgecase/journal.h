@@ -74,8 +74,8 @@ struct JournalRead {
 };
 
 // Reads the journal at `path`; otherwise a sentence that says what is wrong with it. `key` may be
-// null.
+// null. One that is not the user's own is not read, unless it is named.
 std::variant<JournalRead, std::string> read_journal(const std::filesystem::path& path,
-                                                    const ResultsKey* key);
+                                                    const ResultsKey* key, bool is_named);
 
 }  // namespace edgecase
