@@ -43,6 +43,14 @@ struct FoundCases {
 // or "galleries" are skipped. Never throws.
 FoundCases find_cases(std::span<const std::filesystem::path> paths);
 
+// Whether the path of a case, policy, profile or file of known faults leads out of its suite by a
+// symbolic link: out of the nearest folder named "cases" round it or, if there is none, of its own
+// folder. What a message quotes of such a file could be anybody's secret. A link to a file of the
+// same name in another folder "cases" does not lead out, nor does one that leads nowhere.
+bool leads_out_of_suite(const std::filesystem::path& file);
+constexpr const char* kLeadsOut = "it is a link that leads out of the suite";
+constexpr const char* kLeadsOutRemedy = "put the file itself in its place";
+
 struct LoadedCases {
   std::vector<Case> cases;              // empty exactly if there are diagnostics
   std::vector<Diagnostic> diagnostics;  // all faults of the file, in order of lines

@@ -41,6 +41,11 @@ fs::path normal(const fs::path& path) {
   return result;
 }
 
+bool lies_in(const fs::path& folder, const fs::path& file) {
+  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first ==
+         folder.end();
+}
+
 class Finder {
  public:
   void add_path(const fs::path& path) {
@@ -88,6 +93,7 @@ void Finder::add_folder(const fs::path& folder, const fs::path& root) {
 void Finder::add_file(const fs::path& file, const fs::path& root) {
   const fs::path absolute = normal(file);
   if (!seen_.insert(absolute.string()).second) return;
+  if (leads_out_of_suite(file)) return diagnose(file, kLeadsOut, kLeadsOutRemedy);
   const std::string id = absolute.lexically_relative(root).replace_extension().generic_string();
   if (find_invalid_utf8(id)) {
     diagnose(clean_line(file.generic_string()), "the file's name is not UTF-8", "rename the file");
@@ -119,6 +125,18 @@ FoundCases Finder::take() {
 }
 
 }  // namespace
+
+bool leads_out_of_suite(const fs::path& file) {
+  std::error_code error;
+  const fs::path named = normal(file);
+  const fs::path root = root_of(named.parent_path());
+  const fs::path real = fs::canonical(named, error);
+  const fs::path real_root = fs::canonical(root, error);
+  if (error || lies_in(real_root, real)) return false;
+  // The same file of another checkout.
+  const std::string tail = "/" + (root.filename() / named.lexically_relative(root)).string();
+  return root.filename() != "cases" || !real.string().ends_with(tail);
+}
 
 FoundCases find_cases(std::span<const fs::path> paths) {
   Finder finder;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads JSON from foreign files, with a limit on its nesting.
-//
-// The library copies and prints values recursively, so a file of nothing but brackets would
-// overflow the stack.
+// Reads JSON from foreign files, with limits on its nesting and on its values (wire/json_size.h).
 #pragma once
 
 #include <concepts>
@@ -20,6 +17,7 @@
 #include <vector>
 
 #include "model/names.h"
+#include "wire/json_size.h"
 
 namespace edgecase {
 
@@ -35,11 +33,8 @@ struct ReadAllocator : std::allocator<Value> {
 using ReadText = std::basic_string<char, std::char_traits<char>, ReadAllocator<char>>;
 using ReadJson = nlohmann::basic_json<std::map, std::vector, ReadText>;
 
-// Arrays and objects within each other; our own files have about eight.
-constexpr std::size_t kMostLevels = 100;
-
-// Both throw std::runtime_error for text that is nested deeper, and what the library throws for
-// text that is no JSON.
+// Both throw std::runtime_error for text that is nested deeper than kMostLevels, and what the
+// library throws for text that is no JSON; of a whole document also for more than 2^20 values.
 nlohmann::json parse_shallow(std::string_view text);
 ReadJson parse_line(std::string_view text);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 #include "casefile/case_writer.h"
 #include "casefile/json/text.h"
 #include "diff/judge.h"
+#include "results/shallow_json.h"
 #include "rules/all_rules.h"
 #include "search/fuzz.h"
 #include "search/minimize.h"
@@ -302,11 +304,11 @@ std::string fuzz_json(const FuzzReport& report, const FuzzWords& words) {
 std::variant<KnownKeys, std::string> read_known_finds(const std::string& text) {
   try {
     KnownKeys known;
-    const nlohmann::json json = nlohmann::json::parse(text);
+    const nlohmann::json json = parse_shallow(text);
     for (const nlohmann::json& find : json.at("finds"))
       known[find.at("renderer").get<std::string>()].push_back(key_from(find));
     return known;
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const std::exception& error) {
     return fmt::format("no finds of `edgecase fuzz --json` ({})", error.what());
   }
 }

@@ -15,6 +15,8 @@
 #include <string>
 #include <string_view>
 
+#include "wire/json_size.h"
+
 namespace edgecase::wire {
 
 using nlohmann::json;
@@ -38,6 +40,8 @@ std::string Path::text() const {
 }
 
 json parse_text(std::string_view line) {
+  if (size_of_json(line).levels > kMostLevels)
+    throw Refusal(fmt::format("the line is nested deeper than {} levels", kMostLevels));
   try {
     return json::parse(line);
   } catch (const json::exception& error) {

@@ -49,6 +49,14 @@ TEST(ShallowJson, HasAHundredLevels) {
   EXPECT_EQ(refusal(beside + "0]"), "");
 }
 
+TEST(ShallowJson, HasAMillionValues) {
+  std::string text = "[0";
+  for (int i = 2; i < 1 << 20; ++i) text += ",0";
+  EXPECT_EQ(refusal(text + "]"), "");
+  EXPECT_THAT(refusal(text + ",0,0]"), HasSubstr("more than 1048576 values"));
+  EXPECT_NO_THROW(parse_line(text + ",0,0]"));
+}
+
 TEST(ShallowJson, TakesBracketsInStringsForText) {
   const std::string brackets(3 * kMostLevels, '[');
   for (const std::string& text :

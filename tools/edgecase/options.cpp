@@ -14,7 +14,9 @@
 #include <set>
 #include <sstream>
 
+#include "casefile/json/json_document.h"
 #include "casefile/json/text.h"
+#include "casefile/loader.h"
 #include "casefile/policy_reader.h"
 #include "reports/text.h"
 #include "results/known_faults.h"
@@ -27,10 +29,6 @@
 
 namespace edgecase {
 namespace {
-
-// The limit of a file that is read whole: several times the size of results in which every case
-// fails.
-constexpr std::size_t kMostFileBytes = std::size_t{2} << 30;
 
 // Bazel runs a test in shards only if it touches the file that this variable names.
 void touch_status_file() {
@@ -124,6 +122,10 @@ std::map<std::string, std::filesystem::path> profile_files(const std::string& na
 }
 
 std::optional<Policy> read_policy(const std::filesystem::path& file) {
+  if (leads_out_of_suite(file)) {
+    print_error(fmt::format("{}: {}; {}", file.string(), kLeadsOut, kLeadsOutRemedy));
+    return std::nullopt;
+  }
   LoadedPolicy loaded = load_policy(file, known_rules());
   print_diagnostics(loaded.diagnostics);
   return std::move(loaded.value);
@@ -150,7 +152,7 @@ std::optional<std::filesystem::path> find_policy(const std::string& policy,
 // The ids that a suite's list names.
 NamedCases core_of(const Selection& selection) {
   const auto file = suite_file(selection, kCoreList);
-  std::ifstream in(file);
+  std::istringstream in(read_text_file(file, kMaxFileBytes).text.value_or(""));
   NamedCases named;
   for (std::string line; std::getline(in, line);)
     if (!line.empty() && line.front() != '#') named.ids.insert(line);
@@ -320,26 +322,10 @@ std::optional<std::ifstream> open_file(const std::filesystem::path& path) {
 }
 
 std::optional<std::string> read_file(const std::filesystem::path& path) {
-  auto opened = open_file(path);
-  if (!opened) return std::nullopt;
-  std::ifstream& in = *opened;
-  // Limited, since a pipe or a device may have no end.
-  std::string text;
-  std::string part(std::size_t{1} << 20, '\0');
-  while (in.read(part.data(), static_cast<std::streamsize>(part.size())) || in.gcount() > 0) {
-    const auto count = static_cast<std::size_t>(in.gcount());
-    if (count > kMostFileBytes - text.size()) {
-      print_error(fmt::format("cannot read {}: it has more than {} GiB", path.string(),
-                              kMostFileBytes >> 30));
-      return std::nullopt;
-    }
-    text.append(part, 0, count);
-  }
-  if (in.bad()) {
-    print_error(fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
-    return std::nullopt;
-  }
-  return text;
+  TextFile read = read_text_file(path, kMaxFileBytes);
+  if (!read.text)
+    print_error(fmt::format("cannot read {}: {}; {}", path.string(), read.message, read.remedy));
+  return std::move(read.text);
 }
 
 bool write_file(const std::filesystem::path& path, const std::string& text) {

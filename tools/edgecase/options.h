@@ -129,7 +129,8 @@ void print_no_pixel(const std::string& text, const Target& target);
 // Opens a file or pipe for reading; prints an error and returns nothing if it cannot.
 std::optional<std::ifstream> open_file(const std::filesystem::path& path);
 
-// Reads a whole file or pipe of at most 2 GiB; prints an error and returns nothing if it cannot.
+// Reads a whole regular file of at most 16 MiB (casefile/json/text.h); prints an error and returns
+// nothing if it cannot.
 std::optional<std::string> read_file(const std::filesystem::path& path);
 
 // Writes a file that is complete at any time (output/whole_file.h), and creates its folder if

@@ -6,9 +6,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
-#include <sstream>
 
 #include "casefile/json/text.h"
 #include "model/renderer.h"
@@ -202,6 +200,24 @@ fs::path nearest_file() {
   return {};
 }
 
+// The library follows dotted keys by recursion, so that one of many parts would overflow the stack.
+std::string text_of_project(const fs::path& file) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 16;
+  constexpr std::ptrdiff_t kMostDots = 2000;
+  if (file == "/dev/null") return "";
+  const TextFile read = read_text_file(file, kMostBytes);
+  if (!read.text)
+    throw ProjectError(
+        fmt::format("{}: it cannot be read: {}; name the file of a project with --config",
+                    file.string(), read.message));
+  if (std::count(read.text->begin(), read.text->end(), '.') > kMostDots)
+    throw ProjectError(
+        fmt::format("{}: it has more than {} dots, in keys and texts together; name "
+                    "folders in place of many files",
+                    file.string(), kMostDots));
+  return *read.text;
+}
+
 }  // namespace
 
 void Project::give(CLI::App& command, const std::vector<std::string>& wanted) const {
@@ -285,12 +301,7 @@ Project open_project(const fs::path& file, bool is_named) {
         fmt::format("{}: it is not used unasked, since {}; use it with --config {}, or none with "
                     "--config /dev/null",
                     project.file.string(), fault, file.string()));
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (!in || (in.peek() != std::ifstream::traits_type::eof() && !(text << in.rdbuf())))
-    throw ProjectError(fmt::format(
-        "{}: it cannot be read; name the file of a project with --config", file.string()));
-  project.text = text.str();
+  project.text = text_of_project(file);
   return project;
 }
 

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "casefile/json/text.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdint>
-#include <fstream>
-#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace edgecase {
@@ -125,27 +128,55 @@ std::string suggest_names(std::string_view name, std::span<const std::string> na
   return fmt::format("did you mean {}? Allowed are {}", quote(nearest), join_names(names));
 }
 
-TextFile read_text_file(const std::filesystem::path& file, std::size_t limit) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status))
-    return {{}, "there is no such file", "check the path's spelling"};
-  if (!std::filesystem::is_regular_file(status))
-    return {{}, "this is no regular file", "name a regular file"};
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return {{}, "the file cannot be opened", "check its permissions"};
-  // Reading one byte more than allowed detects a file that is too large, even while it grows. Most
-  // files are much smaller, and memory for the largest would cost more than reading them.
-  std::string text;
-  std::array<char, 1 << 14> chunk;
-  while (stream && text.size() <= limit) {
-    stream.read(chunk.data(),
-                static_cast<std::streamsize>(std::min(chunk.size(), limit + 1 - text.size())));
-    text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
+namespace {
+
+// A file descriptor that closes itself.
+struct OpenFile {
+  int descriptor = -1;
+  explicit OpenFile(int number) : descriptor(number) {}
+  ~OpenFile() {
+    if (descriptor >= 0) close(descriptor);
   }
-  if (stream.bad()) return {{}, "the file cannot be read", "check the disk and its permissions"};
-  if (text.size() > limit)
-    return {{}, fmt::format("larger than {} bytes", limit), "make the file smaller"};
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+};
+
+// Reads at most `most` bytes; false if that fails.
+bool read_bytes(int descriptor, std::size_t most, std::string& text) {
+  std::array<char, 1 << 14> chunk;
+  while (text.size() < most) {
+    const ssize_t count =
+        ::read(descriptor, chunk.data(), std::min(chunk.size(), most - text.size()));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return count == 0;
+    text.append(chunk.data(), static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+}  // namespace
+
+TextFile read_text_file(const std::filesystem::path& file, std::size_t limit) {
+  // A pipe without a writer is opened at once, and refused below.
+  const OpenFile open_file(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
+  if (open_file.descriptor < 0) {
+    const bool is_gone = errno == ENOENT || errno == ENOTDIR;
+    return is_gone ? TextFile{{}, "there is no such file", "check the path's spelling"}
+                   : TextFile{{}, "the file cannot be opened", "check its permissions"};
+  }
+  struct stat status {};
+  if (fstat(open_file.descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+    return {{}, "this is no regular file", "name a regular file"};
+  // Files of the system, such as /proc/kmsg, have no size, and may have no end.
+  if (status.st_size == 0) return {"", "", ""};
+  const TextFile too_large{{}, fmt::format("larger than {} bytes", limit), "make the file smaller"};
+  if (static_cast<std::uint64_t>(status.st_size) > limit) return too_large;
+  // Reading one byte more than allowed detects a file that grows meanwhile.
+  std::string text;
+  text.reserve(static_cast<std::size_t>(status.st_size) + 1);
+  if (!read_bytes(open_file.descriptor, limit + 1, text))
+    return {{}, "the file cannot be read", "check the disk and its permissions"};
+  if (text.size() > limit) return too_large;
   return {std::move(text), "", ""};
 }
 

@@ -18,8 +18,9 @@ struct TextFile {
   std::string remedy;
 };
 
-// Reads a whole file. Only regular files are read: a pipe or a device could block a run for ever.
-// Never throws. Refuses a file of more than `limit` bytes.
+// Reads a whole file. Only regular files are read, and those that are as long as they say: a pipe,
+// a device or a file of the system could block a run for ever. Never throws. Refuses a file of more
+// than `limit` bytes, and reads nothing of it.
 TextFile read_text_file(const std::filesystem::path& file, std::size_t limit);
 
 // Offset of the first byte that is not part of well-formed UTF-8 (no overlong forms, no surrogates,
