@@ -56,6 +56,37 @@ void PackedWords::unpack(std::uint32_t* words) const {
     words = std::fill_n(words, kept_[i], kept_[i + 1]);
 }
 
+void WordPacker::add(std::uint32_t word, std::size_t count) {
+  if (count == 0) return;
+  std::vector<std::uint32_t>& kept = packed_.kept_;
+  if (has_runs_ && !kept.empty() && kept.back() == word) {
+    kept[kept.size() - 2] += static_cast<std::uint32_t>(count);
+    return;
+  }
+  if (has_runs_ && kept.size() + 2 < packed_.size_) {
+    kept.push_back(static_cast<std::uint32_t>(count));
+    kept.push_back(word);
+    return;
+  }
+  if (has_runs_) {  // which are no shorter than the words
+    std::vector<std::uint32_t> words;
+    words.reserve(packed_.size_);
+    for (std::size_t i = 0; i < kept.size(); i += 2)
+      words.insert(words.end(), kept[i], kept[i + 1]);
+    kept = std::move(words);
+    has_runs_ = false;
+  }
+  kept.insert(kept.end(), count, word);
+}
+
+void WordRuns::read() {
+  const std::vector<std::uint32_t>& kept = words_.kept_;
+  if (at_ == kept.size()) return;
+  const bool has_runs = kept.size() != words_.size_;
+  left_ = has_runs ? kept[at_++] : 1;
+  word_ = kept[at_++];
+}
+
 SampleImage sample_image(const Rendering& rendering) {
   SampleImage image;
   if (rendering.samples <= 1) return image;

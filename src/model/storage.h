@@ -79,12 +79,51 @@ class PackedWords {
   friend bool operator==(const PackedWords&, const PackedWords&) = default;
 
  private:
+  friend class WordPacker;
+  friend class WordRuns;
+
   void pack(const std::uint32_t* words, std::size_t size);
   void unpack(std::uint32_t* words) const;
 
   std::size_t size_ = 0;
   // `size_` entries: the words. Fewer: alternately the length of a run and its word.
   std::vector<std::uint32_t> kept_;
+};
+
+// Packs words that come run by run, in no more memory than they are kept in.
+class WordPacker {
+ public:
+  // `size`: of the list, in words.
+  explicit WordPacker(std::size_t size) { packed_.size_ = size; }
+  void add(std::uint32_t word, std::size_t count);
+  // Call once, when `size` words were added.
+  PackedWords finish() { return std::move(packed_); }
+
+ private:
+  PackedWords packed_;
+  bool has_runs_ = true;  // otherwise words
+};
+
+// Walks through a list run by run. `words` must live as long.
+class WordRuns {
+ public:
+  explicit WordRuns(const PackedWords& words) : words_(words) { read(); }
+  std::uint32_t word() const { return word_; }
+  // Of the present run; 0: the end.
+  std::size_t left() const { return left_; }
+  // `count`: at most left().
+  void skip(std::size_t count) {
+    left_ -= count;
+    if (left_ == 0) read();
+  }
+
+ private:
+  void read();
+
+  const PackedWords& words_;
+  std::size_t at_ = 0;
+  std::uint32_t word_ = 0;
+  std::size_t left_ = 0;
 };
 
 // SampleImage: the samples of a multisampled image, for display.

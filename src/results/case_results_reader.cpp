@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "results/findings_json.h"
+#include "results/packed_picture.h"
 #include "results/packed_text.h"
 #include "results/samples_json.h"
 #include "results/shallow_json.h"
@@ -21,6 +22,12 @@ namespace edgecase {
 namespace {
 
 using Picture = Shared<PackedWords>;
+
+// What the line of a case may still be unpacked to: a few bytes of it may stand for very many.
+struct Room {
+  std::size_t places = kMostPlaces;
+  std::size_t fragments = kMostFragments;
+};
 
 RuleId to_rule(const ReadJson& json) {
   RuleId rule = RuleId::none;
@@ -110,7 +117,7 @@ ValueAggregate::Place to_place(const ReadJson& json) {
   return {WholeNumber(json.at(0)), WholeNumber(json.at(1)), WholeNumber(json.at(2))};
 }
 
-ValueAggregate to_values(const ReadJson& json) {
+ValueAggregate to_values(const ReadJson& json, Room& room) {
   ValueAggregate values;
   values.attribute = json.at("attribute");
   values.rule = to_rule(json.at("rule"));
@@ -131,7 +138,8 @@ ValueAggregate to_values(const ReadJson& json) {
   values.worst_relative = to_number(json.at("worst_relative"));
   for (const auto& [bucket, count] : json.at("ulp_histogram").items())
     values.ulp_histogram[to_integer(bucket)] = WholeNumber(count);
-  values.differing = to_places(to_text(json.at("differing")));
+  values.differing = to_places(to_text(json.at("differing")), room.places);
+  room.places -= values.differing.size();
   return values;
 }
 
@@ -181,7 +189,7 @@ Picture to_difference(const ReadJson& json, const CaseResults& one, const Pictur
   const std::string_view text = to_text(json);
   if (text.empty()) return {};
   const auto size = static_cast<std::size_t>(one.width) * static_cast<std::size_t>(one.height);
-  return bytes_of(difference_of(to_words(text, size), words_of(from->bytes())));
+  return to_difference(text, size, *from, WordsAre::pixels);
 }
 
 // A failure has no picture; any other result has exact's picture unless a member says otherwise.
@@ -216,25 +224,29 @@ void read_judgement(const ReadJson& json, const CaseResults& one, Result& result
   read_member(json, "pixel_counts", result.pixel_counts, to_pixel_counts);
 }
 
-void read_findings(const ReadJson& json, Result& result) {
+void read_findings(const ReadJson& json, Room& room, Result& result) {
   read_member(json, "disagreements", result.disagreements,
               [](const ReadJson& list) { return to_list<Disagreement>(list, to_disagreement); });
+  const auto to_own_values = [&](const ReadJson& item) { return to_values(item, room); };
   read_member(json, "values", result.values,
-              [](const ReadJson& list) { return to_list<ValueAggregate>(list, to_values); });
+              [&](const ReadJson& list) { return to_list<ValueAggregate>(list, to_own_values); });
   read_member(json, "evidence", result.evidence,
               [](const ReadJson& list) { return to_list<Result::Evidence>(list, to_evidence); });
   read_member(json, "illegal_line_snaps", result.illegal_line_snaps);
   read_member(json, "refuted", result.refuted, to_refuted);
-  read_member(json, "exact_fragments", result.exact_fragments, to_fragments);
-  read_member(json, "rendered_fragments", result.rendered_fragments, to_fragments);
+  for (auto [member, list] : {std::pair("exact_fragments", &result.exact_fragments),
+                              std::pair("rendered_fragments", &result.rendered_fragments)}) {
+    if (json.contains(member)) *list = to_fragments(json.at(member), room.fragments);
+    room.fragments -= list->size();
+  }
   read_member(json, "ramp", result.ramp,
               [](const ReadJson& list) { return to_list<Result::LevelPoint>(list, to_level); });
 }
 
-Result to_result(const ReadJson& json, const CaseResults& one) {
+Result to_result(const ReadJson& json, const CaseResults& one, Room& room) {
   Result result;
   read_judgement(json, one, result);
-  read_findings(json, result);
+  read_findings(json, room, result);
   read_pictures(json, one, result);
   return result;
 }
@@ -285,8 +297,9 @@ CaseResults to_case(const ReadJson& json, const HeadsRead& heads,
   read_member(json, "samples", one.samples,
               [&](const ReadJson& samples) { return to_samples(samples, one.width, one.height); });
   read_member(json, "figure", one.figure, to_figure);
+  Room room;
   for (const RendererInfo& info : renderers)
-    one.results.push_back(to_result(json.at("results").at(ReadText(info.name)), one));
+    one.results.push_back(to_result(json.at("results").at(ReadText(info.name)), one, room));
   return one;
 }
 

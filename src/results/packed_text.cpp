@@ -23,9 +23,6 @@ namespace {
 
 using Place = ValueAggregate::Place;
 
-// Of the largest target, each pixel four times.
-constexpr std::size_t kMostPlaces = std::size_t{1} << 26;
-
 template <class Integer>
 void append_number(Integer value, int base, std::string& text) {
   char digits[24];
@@ -74,17 +71,6 @@ class Scanner {
   const char* end_;
 };
 
-// The prediction of the byte at `at` from its neighbours; a row has `row` bytes.
-std::uint8_t foretold(const std::vector<std::uint8_t>& pixels, std::size_t at, std::size_t row) {
-  const bool has_left = at % row >= 4;
-  const bool has_below = at >= row;
-  int value = 0;
-  if (has_left) value += pixels[at - 4];
-  if (has_below) value += pixels[at - row];
-  if (has_left && has_below) value -= pixels[at - row - 4];
-  return static_cast<std::uint8_t>(value);
-}
-
 bool reads_before(const Place& a, const Place& b) {
   return std::tie(a.y, a.x) < std::tie(b.y, b.x);
 }
@@ -116,14 +102,25 @@ std::string packed_words(const std::vector<std::uint32_t>& words) {
   return text;
 }
 
-std::vector<std::uint32_t> to_words(std::string_view text, std::size_t size) {
-  std::vector<std::uint32_t> words;
+void read_word_runs(std::string_view text, std::size_t size,
+                    const std::function<void(std::uint32_t, std::size_t)>& take) {
+  std::size_t read = 0;
   for (Scanner scanner(text); !scanner.is_at_end(); scanner.separate()) {
     const auto word = scanner.number(16, std::numeric_limits<std::uint32_t>::max());
-    words.insert(words.end(), scanner.times('*', size - words.size()), word);
+    const std::size_t count = scanner.times('*', size - read);
+    if (count > size - read) scanner.refuse();
+    take(word, count);
+    read += count;
   }
-  if (words.size() != size)
-    throw std::runtime_error(fmt::format("{} words stand where {} should", words.size(), size));
+  if (read != size)
+    throw std::runtime_error(fmt::format("{} words stand where {} should", read, size));
+}
+
+std::vector<std::uint32_t> to_words(std::string_view text, std::size_t size) {
+  std::vector<std::uint32_t> words;
+  read_word_runs(text, size, [&](std::uint32_t word, std::size_t count) {
+    words.insert(words.end(), count, word);
+  });
   return words;
 }
 
@@ -141,25 +138,6 @@ std::vector<std::uint8_t> bytes_of(const std::vector<std::uint32_t>& words) {
     for (const int shift : {24, 16, 8, 0})
       bytes.push_back(static_cast<std::uint8_t>(word >> shift));
   return bytes;
-}
-
-std::string packed_picture(const std::vector<std::uint8_t>& pixels, int width) {
-  const auto row = 4 * static_cast<std::size_t>(std::max(width, 1));
-  std::vector<std::uint8_t> left(pixels.size());
-  for (std::size_t i = 0; i < pixels.size(); ++i)
-    left[i] = static_cast<std::uint8_t>(pixels[i] - foretold(pixels, i, row));
-  return packed_words(words_of(left));
-}
-
-std::vector<std::uint8_t> to_picture(std::string_view text, int width, int height) {
-  if (width < 0 || height < 0 || width > kMaxTargetSize || height > kMaxTargetSize * kMaxSamples)
-    throw std::runtime_error(fmt::format("no picture has {} by {} pixels", width, height));
-  const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  std::vector<std::uint8_t> pixels = bytes_of(to_words(text, size));
-  const auto row = 4 * static_cast<std::size_t>(width);
-  for (std::size_t i = 0; i < pixels.size(); ++i)
-    pixels[i] = static_cast<std::uint8_t>(pixels[i] + foretold(pixels, i, row));
-  return pixels;
 }
 
 std::string packed_places(std::vector<Place> places) {
@@ -192,7 +170,7 @@ std::string packed_places(std::vector<Place> places) {
   return text;
 }
 
-std::vector<Place> to_places(std::string_view text) {
+std::vector<Place> to_places(std::string_view text, std::size_t most) {
   std::vector<Place> places;
   int row = -1;
   int next = 0;
@@ -207,9 +185,9 @@ std::vector<Place> to_places(std::string_view text) {
     next += scanner.number<int>(10, kMaxTargetSize);
     const int count = scanner.times('+', kMaxTargetSize);
     const auto times = scanner.times('*', kMostPlaces);
-    if (row < 0 || next + count > kMaxTargetSize ||
-        times * static_cast<std::size_t>(count) > kMostPlaces - places.size())
-      scanner.refuse();
+    if (row < 0 || next + count > kMaxTargetSize) scanner.refuse();
+    if (times * static_cast<std::size_t>(count) > most - places.size())
+      throw std::runtime_error(fmt::format("values differ at more than {} places", most));
     for (const int end = next + count; next < end; ++next)
       places.insert(places.end(), times, {next, row, -1});
   }
@@ -282,8 +260,10 @@ struct LineReader::State {
   std::istream& in;
   std::unique_ptr<ZSTD_DCtx, FreeContext> context = made(ZSTD_createDCtx());
   std::vector<char> read = std::vector<char>(kPiece);
-  std::size_t size = 0;  // of `read`
-  std::size_t used = 0;  // of `size`
+  std::size_t size = 0;      // of `read`
+  std::size_t used = 0;      // of `size`
+  std::size_t packed = 0;    // bytes that are unpacked so far
+  std::size_t unpacked = 0;  // what they were unpacked to
   bool is_begun = false;
   bool is_packed = false;
   bool is_whole = true;   // the frame is at its end
@@ -292,7 +272,12 @@ struct LineReader::State {
   std::size_t at = 0;     // of `text`: where the next line begins
 };
 
-LineReader::LineReader(std::istream& in) : state_(new State{in}) {}
+LineReader::LineReader(std::istream& in) : state_(new State{in}) {
+  // A frame may ask for gigabytes before it has one byte; ours ask for eight megabytes.
+  constexpr int kWindow = 25;
+  checked(ZSTD_DCtx_setParameter(state_->context.get(), ZSTD_d_windowLogMax, kWindow),
+          "results cannot be unpacked");
+}
 
 LineReader::~LineReader() = default;
 
@@ -325,6 +310,12 @@ bool LineReader::fill() {
     ZSTD_outBuffer to{piece.data(), piece.size(), 0};
     s.is_whole =
         checked(ZSTD_decompressStream(s.context.get(), &to, &from), "the file is damaged") == 0;
+    s.packed += from.pos - s.used;
+    s.unpacked += to.pos;
+    if (s.unpacked > kUnpacked + kLargestRatio * s.packed)
+      throw std::runtime_error(
+          fmt::format("{} bytes unpack to more than {}, which nobody's results do", s.packed,
+                      kUnpacked + kLargestRatio * s.packed));
     s.used = from.pos;
     s.has_more = to.pos == to.size;
     s.text.append(piece.data(), to.pos);

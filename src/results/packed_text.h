@@ -5,10 +5,7 @@
 // Words are 32 bits each, in hexadecimal digits without leading zeros, with a space between them. A
 // word that stands N times in a row is "WORD*N". The word of a pixel is RRGGBBAA.
 //
-// A picture is stored as differences: from each byte its left and lower neighbours are subtracted,
-// and the lower left one is added, each 0 beyond the border, all modulo 256. For a flat or evenly
-// shaded area nearly all differences are zero, and the file's compression (TextPacker) makes them
-// very small.
+// Pictures are words, too: results/packed_picture.h.
 //
 // Places are pixels, each as often as something is found there, in the order in which they are
 // read: by row from the bottom, then by column. "yN" begins row N. "S+N*T" skips S pixels of the
@@ -18,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <memory>
 #include <string>
@@ -28,14 +26,16 @@
 
 namespace edgecase {
 
+// The samples of the largest target. They take 200 MB in memory, and their text may be very short.
+constexpr std::size_t kMostPlaces = std::size_t{1} << 24;
+
 std::string packed_words(const std::vector<std::uint32_t>& words);
 // The inverse, for `size` words. Throws std::runtime_error for anything else.
 std::vector<std::uint32_t> to_words(std::string_view text, std::size_t size);
 
-// RGBA8, bottom row first, rows of `width` pixels.
-std::string packed_picture(const std::vector<std::uint8_t>& pixels, int width);
-// The inverse, for `height` rows. Throws std::runtime_error for anything else.
-std::vector<std::uint8_t> to_picture(std::string_view text, int width, int height);
+// The same without their memory: calls `take` with each word and how often it stands in a row.
+void read_word_runs(std::string_view text, std::size_t size,
+                    const std::function<void(std::uint32_t word, std::size_t count)>& take);
 
 // Bytes as words, four at a time, and the inverse.
 std::vector<std::uint32_t> words_of(const std::vector<std::uint8_t>& bytes);
@@ -43,9 +43,9 @@ std::vector<std::uint8_t> bytes_of(const std::vector<std::uint32_t>& words);
 
 // Primitives of places are not stored: they read back as -1.
 std::string packed_places(std::vector<ValueAggregate::Place> places);
-// The inverse. Throws std::runtime_error for anything else, and for places beyond the largest
-// target.
-std::vector<ValueAggregate::Place> to_places(std::string_view text);
+// The inverse, of at most `most` places. Throws std::runtime_error for anything else, and for
+// places beyond the largest target.
+std::vector<ValueAggregate::Place> to_places(std::string_view text, std::size_t most = kMostPlaces);
 
 // The bytes of a results file: lines of text in one frame of Zstandard (RFC 8878), with a checksum
 // at its end. `zstdcat` shows them.
@@ -81,8 +81,9 @@ class LineReader {
   ~LineReader();
 
   // The next line, without its end; false behind the last one. What follows the last line break, if
-  // anything, counts as a line. Throws std::runtime_error for bytes that are damaged, and for a
-  // line longer than `kLongestLine`.
+  // anything, counts as a line. Throws std::runtime_error for bytes that are damaged, for a line
+  // longer than kLongestLine, and where the packed bytes so far unpack to more than kUnpacked and
+  // kLargestRatio times as many.
   bool next(std::string& line);
 
   // After the last line: true if the packed bytes were cut off. Always false for plain lines.
@@ -91,6 +92,11 @@ class LineReader {
   // Much longer than any line of ours. Without a limit a file of some megabytes could take all
   // memory.
   static constexpr std::size_t kLongestLine = std::size_t{1} << 28;
+
+  // What we pack is much smaller than that: the lines of a suite in which all agree are packed to a
+  // thirtieth. Lines take up to forty times their bytes when they are read.
+  static constexpr std::size_t kUnpacked = std::size_t{1} << 22;
+  static constexpr std::size_t kLargestRatio = 250;
 
  private:
   bool fill();

@@ -23,6 +23,11 @@
 
 namespace edgecase {
 
+// More than anybody compares at a time. A line of results names all renderers, and reports have a
+// column for each.
+constexpr std::size_t kMostRenderers = 256;
+constexpr int kMostShards = 1'000'000;
+
 // Which share of a run's cases results hold.
 struct ShareOfRun {
   int index = 0;  // 0 to count - 1

@@ -57,7 +57,7 @@ RendererInfo to_renderer(const ReadJson& json) {
 ShareOfRun to_shard(const ReadJson& json) {
   const int number = WholeNumber(json.at("index"));
   const int count = WholeNumber(json.at("count"));
-  if (number < 1 || number > count)
+  if (number < 1 || number > count || count > kMostShards)
     throw std::runtime_error(fmt::format("there is no share {} of {}", number, count));
   return {number - 1, count, WholeNumber(json.at("cases")), json.at("selection"),
           json.contains("faulty") ? WholeNumber(json.at("faulty")) : std::size_t{0}};
@@ -82,7 +82,13 @@ void read_header(const ReadJson& json, Results& results) {
   results.policy_digest = json.at("policy_digest");
   results.whole_suite = json.at("whole_suite");
   if (json.contains("shard")) results.shard = to_shard(json.at("shard"));
-  results.renderers = to_list<RendererInfo>(json.at("renderers"), to_renderer);
+  const ReadJson& renderers = json.at("renderers");
+  if (renderers.size() > kMostRenderers)
+    throw std::runtime_error(
+        fmt::format("it holds the answers of {} renderers, and a run may have "
+                    "{}",
+                    renderers.size(), kMostRenderers));
+  results.renderers = to_list<RendererInfo>(renderers, to_renderer);
 }
 
 // What is known behind the last case.

@@ -14,11 +14,16 @@
 #include "model/rendering.h"
 #include "model/scene.h"
 #include "results/findings_json.h"
+#include "results/packed_picture.h"
 #include "results/packed_text.h"
 #include "results/shallow_json.h"
 
 namespace edgecase {
 namespace {
+
+std::size_t area_of(int width, int height) {
+  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+}
 
 void write_position(JsonWriter& json, const Point& at) {
   json.array(at.x.to_double(), at.y.to_double());
@@ -44,25 +49,19 @@ void write_head(JsonWriter& json, const SampleImage& image) {
   if (!image.positions.empty()) json.key("positions").list(image.positions, write_position);
 }
 
-SampleImage to_head(const ReadJson& json) {
+SampleImage to_head(const ReadJson& json, int width, int height) {
+  constexpr std::size_t kMost = std::size_t{1} << 24;  // as a case may have
   SampleImage image;
   image.samples = WholeNumber(json.at("count"));
   if (image.samples <= 1 || image.samples > kMaxSamples)
     throw std::runtime_error(fmt::format("{} is no number of samples", image.samples));
+  if (static_cast<std::size_t>(image.samples) * area_of(width, height) > kMost)
+    throw std::runtime_error(fmt::format("there is no target of {} by {} pixels with {} samples",
+                                         width, height, image.samples));
   for (const ReadJson& at : json.value("positions", ReadJson::array()))
     image.positions.push_back({to_fixed(at.at(0)), to_fixed(at.at(1))});
   check_size("positions", image.positions.size(), static_cast<std::size_t>(image.samples));
   return image;
-}
-
-// The packed words of a member; none if there is no such member.
-std::vector<std::uint32_t> to_member(const ReadJson& json, const char* member, std::size_t size) {
-  if (!json.contains(member)) return {};
-  return to_words(to_text(json.at(member)), size);
-}
-
-std::size_t area_of(int width, int height) {
-  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
 }  // namespace
@@ -97,26 +96,30 @@ void write_samples(JsonWriter& json, const SampleImage& image, const SampleImage
 }
 
 SampleImage to_samples(const ReadJson& json, int width, int height) {
-  SampleImage image = to_head(json);
-  const auto samples = static_cast<std::size_t>(image.samples);
+  SampleImage image = to_head(json, width, height);
+  const std::size_t area = area_of(width, height);
   if (json.contains("pixels"))
     image.pixels = to_picture(to_text(json.at("pixels")), width, height * image.samples);
-  image.hits = to_member(json, "hits", samples * area_of(width, height));
-  image.coverage = to_member(json, "coverage", area_of(width, height));
+  if (json.contains("hits"))
+    image.hits =
+        to_packed_words(to_text(json.at("hits")), static_cast<std::size_t>(image.samples) * area);
+  if (json.contains("coverage"))
+    image.coverage = to_packed_words(to_text(json.at("coverage")), area);
   return image;
 }
 
 SampleImage to_samples(const ReadJson& json, int width, int height, const SampleImage& exact) {
-  SampleImage image = to_head(json);
-  const auto samples = static_cast<std::size_t>(image.samples);
+  SampleImage image = to_head(json, width, height);
   const std::size_t area = area_of(width, height);
-  const auto read = [&](const char* member, std::size_t size,
-                        const std::vector<std::uint32_t>& other) {
-    return difference_of(to_member(json, member, size), other);
+  const auto samples = static_cast<std::size_t>(image.samples);
+  const auto read = [&](const char* member, std::size_t size, const PackedWords& other,
+                        WordsAre kind) {
+    return json.contains(member) ? to_difference(to_text(json.at(member)), size, other, kind)
+                                 : PackedWords();
   };
-  image.pixels = bytes_of(read("pixels", samples * area, words_of(exact.pixels->bytes())));
-  image.hits = read("hits", samples * area, exact.hits->words());
-  image.coverage = read("coverage", area, exact.coverage->words());
+  image.pixels = read("pixels", samples * area, *exact.pixels, WordsAre::pixels);
+  image.hits = read("hits", samples * area, *exact.hits, WordsAre::numbers);
+  image.coverage = read("coverage", area, *exact.coverage, WordsAre::numbers);
   image.share_with(exact);
   return image;
 }
@@ -124,8 +127,6 @@ SampleImage to_samples(const ReadJson& json, int width, int height, const Sample
 namespace {
 
 using Reported = Result::ReportedFragment;
-
-constexpr std::size_t kMostFragments = std::size_t{1} << 24;  // of one list
 
 // The number with the fewest digits that identify a float.
 double shortest(float value) {
@@ -228,14 +229,14 @@ void write_fragments(JsonWriter& json, const std::vector<Reported>& fragments) {
   });
 }
 
-std::vector<Reported> to_fragments(const ReadJson& json) {
+std::vector<Reported> to_fragments(const ReadJson& json, std::size_t most) {
   if (!json.is_array()) throw std::runtime_error("a list is missing");
   std::vector<Reported> fragments;
   for (const ReadJson& item : json) {
     Reported reported = to_reported(item);
     for (int left = count_of(item); left > 0; --left) {
-      if (fragments.size() == kMostFragments || reported.fragment.x > kMaxTargetSize)
-        throw std::runtime_error("there are more fragments than there can be");
+      if (fragments.size() == most || reported.fragment.x > kMaxTargetSize)
+        throw std::runtime_error("there are more fragments than are kept of a case");
       fragments.push_back(reported);
       ++reported.fragment.x;
     }

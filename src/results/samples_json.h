@@ -44,7 +44,13 @@ std::vector<std::uint32_t> difference_of(std::vector<std::uint32_t> words,
 
 void write_fragments(JsonWriter& json, const std::vector<Result::ReportedFragment>& fragments);
 
-// The inverse. Throws std::runtime_error, or what the library throws, for anything else.
-std::vector<Result::ReportedFragment> to_fragments(const ReadJson& json);
+// Of all answers to a case together: reports tell them where something differs in full. They take
+// 160 MB in memory.
+constexpr std::size_t kMostFragments = std::size_t{1} << 21;
+
+// The inverse, of at most `most` fragments. Throws std::runtime_error, or what the library throws,
+// for anything else.
+std::vector<Result::ReportedFragment> to_fragments(const ReadJson& json,
+                                                   std::size_t most = kMostFragments);
 
 }  // namespace edgecase

@@ -152,13 +152,17 @@ Fault find_missing_shares(const std::vector<MergePart>& parts) {
   if (!share) return std::nullopt;
   std::set<int> present;
   for (const MergePart& part : parts) present.insert(part.results.shard->index);
+  constexpr std::size_t kMostNamed = 20;
+  std::size_t count = 0;
   std::vector<std::string> missing;
   for (int i = 0; i < share->count && static_cast<std::size_t>(i) < share->cases; ++i)
-    if (!present.contains(i)) missing.push_back(fmt::format("{}/{}", i + 1, share->count));
-  if (missing.empty()) return std::nullopt;
+    if (!present.contains(i) && ++count <= kMostNamed)
+      missing.push_back(fmt::format("{}/{}", i + 1, share->count));
+  if (count == 0) return std::nullopt;
+  if (count > kMostNamed) missing.push_back(fmt::format("and {} more", count - kMostNamed));
   return fmt::format(
       "shard{} {} {} missing; name the results of all, or merge what there is with --partial",
-      missing.size() == 1 ? "" : "s", fmt::join(missing, ", "), missing.size() == 1 ? "is" : "are");
+      count == 1 ? "" : "s", fmt::join(missing, ", "), count == 1 ? "is" : "are");
 }
 
 Fault find_fault(const std::vector<MergePart>& parts, bool partial) {

@@ -8,13 +8,12 @@
 #include <numeric>
 
 #include "casefile/scene/scene_reader.h"
+#include "results/results.h"
 
 namespace edgecase {
 namespace {
 
 using Variable = std::function<const char*(const char*)>;
-
-constexpr int kMostShards = 1'000'000;
 
 // Costs beside that of a small case with one flat triangle, as measured with llvmpipe: of a sample,
 // and what is added where its colour varies in a multisampled target, where its derivatives are

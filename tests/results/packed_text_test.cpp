@@ -2,6 +2,7 @@
 //
 // What is packed comes back as it was, in little room; what is no packed text is refused.
 #include "results/packed_text.h"
+#include "results/packed_picture.h"
 
 #include <gtest/gtest.h>
 
@@ -102,7 +103,7 @@ TEST(PackedText, PicturesAreWhatNeighboursDoNotForetell) {
     const int height = static_cast<int>(random() % 7);
     Bytes pixels(static_cast<std::size_t>(4 * width * height));
     for (std::uint8_t& byte : pixels) byte = static_cast<std::uint8_t>(random());
-    EXPECT_EQ(to_picture(packed_picture(pixels, width), width, height), pixels);
+    EXPECT_EQ(to_picture(packed_picture(pixels, width), width, height).bytes(), pixels);
   }
   // The second pixel of a row has one on its left, the first of the next row one below it.
   EXPECT_EQ(packed_picture({1, 2, 3, 4, 1, 2, 3, 5, 2, 2, 3, 4, 3, 2, 3, 5}, 2),
@@ -110,6 +111,29 @@ TEST(PackedText, PicturesAreWhatNeighboursDoNotForetell) {
   EXPECT_THROW(to_picture("0*3", 2, 2), std::runtime_error);
   EXPECT_THROW(to_picture("0*4", -2, -2), std::runtime_error);
   EXPECT_THROW(to_picture("0", 1 << 30, 1 << 30), std::runtime_error);
+}
+
+// As they are if all words are read first, and differences are taken of those.
+TEST(PackedText, WordsAreKeptAsTheyArePacked) {
+  std::mt19937 random(6);
+  for (int round = 0; round < 300; ++round) {
+    Words words(random() % 40);
+    Words others(round % 4 == 0 ? words.size() + 1 : words.size());
+    for (Words* list : {&words, &others})
+      for (std::uint32_t& word : *list)
+        word =
+            random() % (1 + static_cast<unsigned>(round) % 9) == 0 ? 0x10203U + random() % 2 : 5U;
+    const std::string text = packed_words(words);
+    EXPECT_EQ(to_packed_words(text, words.size()), PackedWords(words));
+    Words differences = words;
+    for (std::size_t i = 0; i < words.size() && others.size() == words.size(); ++i)
+      differences[i] ^= others[i];
+    EXPECT_EQ(to_difference(text, words.size(), PackedWords(others), WordsAre::numbers),
+              PackedWords(differences));
+    EXPECT_EQ(to_difference(text, words.size(), PackedWords(bytes_of(others)), WordsAre::pixels),
+              PackedWords(bytes_of(differences)));
+  }
+  EXPECT_EQ(to_picture("ff*1 0*16777215", 4096, 4096).kept(), 2u);
 }
 
 TEST(PackedText, PlacesAreRowsOfRuns) {
@@ -188,6 +212,15 @@ TEST(ReportedFragments, NumbersComeBackToTheBit) {
     for (std::size_t c = 0; c < 4; ++c)
       EXPECT_EQ(std::bit_cast<std::uint64_t>(back[i].fragment.color[c]),
                 std::bit_cast<std::uint64_t>(fragments[i].fragment.color[c]));
+}
+
+TEST(PackedText, RefusesMoreThanThereMayBe) {
+  EXPECT_EQ(to_places("y0 0+3*2", 6).size(), 6u);
+  EXPECT_THROW(to_places("y0 0+3*2", 5), std::runtime_error);
+  EXPECT_THROW(to_places("y0 0+4096*4097"), std::runtime_error);
+  const ReadJson fragments = parse_line("[[[0,3],0,0,1,0.5,null]]");
+  EXPECT_EQ(to_fragments(fragments, 3).size(), 3u);
+  EXPECT_THROW(to_fragments(fragments, 2), std::runtime_error);
 }
 
 TEST(ReportedFragments, NeighboursThatAreAlikeAreOne) {

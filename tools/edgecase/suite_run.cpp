@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "tools/edgecase/suite_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <set>
 #include <thread>
 
+#include "casefile/loader.h"
 #include "model/renderer.h"
 #include "model/text.h"
 #include "results/standing.h"
@@ -98,6 +101,11 @@ std::variant<Results, std::string> run_rest(const Suite& suite, RunOptions& run,
 }  // namespace
 
 bool are_known(const std::vector<std::string>& renderers) {
+  if (renderers.size() > kMostRenderers) {
+    print_error(fmt::format("{} renderers are named, and a run may have {}; name fewer",
+                            renderers.size(), kMostRenderers));
+    return false;
+  }
   std::set<std::string> seen;
   for (const std::string& renderer : renderers) {
     if (!is_known(renderer)) return false;
@@ -200,6 +208,10 @@ std::vector<std::filesystem::path> json_files_of(const std::filesystem::path& pa
 // Adds what a file holds to what is known of its driver. False, with the error printed, where it
 // cannot be.
 bool add_known_faults(const std::filesystem::path& path, std::vector<KnownFaults>& known) {
+  if (leads_out_of_suite(path)) {
+    print_error(fmt::format("{}: {}; {}", path.string(), kLeadsOut, kLeadsOutRemedy));
+    return false;
+  }
   const auto text = read_file(path);
   if (!text) return false;
   auto parsed = parse_known_faults(*text);
