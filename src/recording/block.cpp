@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -177,7 +178,15 @@ LineColumns take_apart(const std::vector<std::string>& lines) {
   return parts;
 }
 
-std::vector<std::string> put_together(const LineColumns& parts) {
+namespace {
+
+[[noreturn]] void refuse_length() {
+  throw std::runtime_error("it is longer than its scenes can need");
+}
+
+}  // namespace
+
+std::vector<std::string> put_together(const LineColumns& parts, std::size_t most) {
   std::vector<std::string> lines;
   std::vector<std::size_t> used(parts.columns.size());
   Place place;
@@ -193,8 +202,12 @@ std::vector<std::string> put_together(const LineColumns& parts) {
           if (column >= used.size() || used[column] == parts.columns[column].size())
             throw std::runtime_error("a number is missing");
           write_number(line, parts.columns[column][used[column]++]);
+          if (line.size() > most) refuse_length();
           return at + 1;
         });
+    // A text of line breaks alone takes as much.
+    if (line.size() + sizeof(line) > most) refuse_length();
+    most -= line.size() + sizeof(line);
     place.end_line();
     begin = end + 1;
   }
@@ -212,13 +225,18 @@ std::string pack_block(const std::vector<std::string>& lines) {
   return bytes;
 }
 
-std::vector<std::string> unpack_block(std::string_view bytes) {
+std::vector<std::string> unpack_block(std::string_view bytes, std::size_t most) {
   LineColumns parts;
-  parts.text = read_deflated(bytes);
+  parts.text = read_deflated(bytes, most);
+  // There is a mark in the text for each.
+  auto numbers = static_cast<std::size_t>(std::ranges::count(parts.text, kMark));
   const std::uint64_t columns = read_size(bytes);
-  for (std::uint64_t i = 0; i < columns; ++i) parts.columns.push_back(read_column(bytes));
+  for (std::uint64_t i = 0; i < columns; ++i) {
+    parts.columns.push_back(read_column(bytes, numbers));
+    numbers -= parts.columns.back().size();
+  }
   if (!bytes.empty()) throw std::runtime_error("there is something behind the last column");
-  return put_together(parts);
+  return put_together(parts, most);
 }
 
 }  // namespace edgecase::recording

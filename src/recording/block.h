@@ -13,8 +13,9 @@ namespace edgecase::recording {
 // Lines are JSON values without line breaks. Equal lines give equal bytes.
 std::string pack_block(const std::vector<std::string>& lines);
 
-// The inverse. Throws std::runtime_error if pack_block cannot have made the bytes.
-std::vector<std::string> unpack_block(std::string_view bytes);
+// The inverse, for lines that take at most `most` bytes of memory together (std::string). Throws
+// std::runtime_error if pack_block cannot have made the bytes, or the lines are longer.
+std::vector<std::string> unpack_block(std::string_view bytes, std::size_t most);
 
 // Lines of JSON, split so that they deflate well, and joined again.
 //
@@ -34,7 +35,8 @@ struct LineColumns {
 // Lines are JSON values without line breaks.
 LineColumns take_apart(const std::vector<std::string>& lines);
 
-// The inverse. Throws std::runtime_error if text and columns do not match.
-std::vector<std::string> put_together(const LineColumns& parts);
+// The inverse. Throws std::runtime_error if text and columns do not match, or the lines take more
+// than `most` bytes of memory.
+std::vector<std::string> put_together(const LineColumns& parts, std::size_t most);
 
 }  // namespace edgecase::recording

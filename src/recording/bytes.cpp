@@ -64,13 +64,14 @@ void write_deflated(std::string_view bytes, std::string& out) {
   write_stretch(bytes.size(), deflated(bytes), out);
 }
 
-std::string read_deflated(std::string_view& bytes) {
+std::string read_deflated(std::string_view& bytes, std::uint64_t most) {
   const std::uint64_t size = read_size(bytes);
   const std::uint64_t taken = read_size(bytes);
   if (taken > bytes.size() || size / kLargestRatio > taken)
     throw std::runtime_error("a stretch is longer than what there is");
-  if (size > kLongestStretch)
-    throw std::runtime_error(fmt::format("a stretch of {} bytes is longer than any may be", size));
+  if (size > most)
+    throw std::runtime_error(
+        fmt::format("a stretch has {} bytes, and its scenes can need {}", size, most));
   std::string out(size, '\0');
   uLongf written = out.size();
   if (uncompress(reinterpret_cast<Bytef*>(out.data()), &written, data_of(bytes), taken) != Z_OK ||
@@ -166,9 +167,10 @@ std::string sizes_of(const std::vector<std::uint64_t>& values) {
   return bytes;
 }
 
-std::vector<std::uint64_t> from_sizes(std::string_view bytes) {
+std::vector<std::uint64_t> from_sizes(std::string_view bytes, std::uint64_t most) {
   std::vector<std::uint64_t> values;
-  while (!bytes.empty()) values.push_back(read_size(bytes));
+  for (; !bytes.empty(); values.push_back(read_size(bytes)))
+    if (values.size() == most) throw std::runtime_error("a column has too many numbers");
   return values;
 }
 
@@ -215,6 +217,26 @@ double from_binary32(std::uint32_t bits) {
 }
 double from_binary64(std::uint64_t bits) {
   return std::bit_cast<double>(bits);
+}
+
+// The most bytes that a number takes.
+std::uint64_t width_of(Coding coding) {
+  constexpr std::uint64_t kOfSize = 10;
+  switch (coding) {
+    case Coding::bytes:
+    case Coding::byte_steps:
+      return 1;
+    case Coding::whole:
+    case Coding::whole_steps:
+      return kOfSize;
+    case Coding::binary32:
+    case Coding::binary32_steps:
+      return sizeof(float);
+    case Coding::binary64:
+    case Coding::binary64_steps:
+      return sizeof(double);
+  }
+  return 1;
 }
 
 // Keeps the smaller of the offered codings.
@@ -267,22 +289,23 @@ void write_column(const std::vector<double>& column, std::string& out) {
   choice.write(out);
 }
 
-std::vector<double> read_column(std::string_view& bytes) {
+std::vector<double> read_column(std::string_view& bytes, std::uint64_t most) {
   if (bytes.empty()) throw std::runtime_error("a column is missing");
   const auto number = static_cast<unsigned char>(bytes.front());
   if (number >= kCodings) throw std::runtime_error("a column is coded in an unknown way");
   bytes.remove_prefix(1);
-  const std::string values = read_deflated(bytes);
-  switch (static_cast<Coding>(number)) {
+  const auto coding = static_cast<Coding>(number);
+  const std::string values = read_deflated(bytes, most * width_of(coding));
+  switch (coding) {
     case Coding::bytes:
       return numbers_of(from_planes<std::uint8_t>(values), from_byte);
     case Coding::byte_steps:
       return numbers_of(sums_of(from_planes<std::uint8_t>(values)), from_byte);
     case Coding::whole:
-      return numbers_of(from_sizes(values),
+      return numbers_of(from_sizes(values, most),
                         [](std::uint64_t bits) { return from_whole(unfolded(bits)); });
     case Coding::whole_steps:
-      return numbers_of(sums_of(from_sizes(values)), from_whole);
+      return numbers_of(sums_of(from_sizes(values, most)), from_whole);
     case Coding::binary32:
       return numbers_of(from_planes<std::uint32_t>(values), from_binary32);
     case Coding::binary32_steps:

@@ -18,13 +18,12 @@ std::uint64_t read_size(std::string_view& bytes);
 // RFC 1950, at zlib's best compression.
 std::string deflated(std::string_view bytes);
 
-// The largest size of inflated data: several times a column of the largest target's fragments.
-constexpr std::uint64_t kLongestStretch = std::uint64_t{1} << 30;
-
 // Deflated bytes, preceded by their size and by that of the inflated data.
 void write_deflated(std::string_view bytes, std::string& out);
 void write_stretch(std::size_t size, std::string_view deflated, std::string& out);
-std::string read_deflated(std::string_view& bytes);
+// Refuses inflated data of more than `most` bytes before it inflates anything: a thousandth of them
+// suffices to ask for all memory.
+std::string read_deflated(std::string_view& bytes, std::uint64_t most);
 
 // CRC-32 as in zlib, continued from the checksum of the bytes before.
 std::uint32_t checksum(std::string_view bytes, std::uint32_t before = 0);
@@ -39,8 +38,8 @@ std::uint32_t checksum(std::string_view bytes, std::uint32_t before = 0);
 // Appends the column to `out`. Numbers must be finite and not -0.
 void write_column(const std::vector<double>& column, std::string& out);
 
-// Reads a column from the front of `bytes` and removes it. Throws std::runtime_error if
-// write_column cannot have written it.
-std::vector<double> read_column(std::string_view& bytes);
+// Reads a column of at most `most` numbers from the front of `bytes` and removes it. Throws
+// std::runtime_error if write_column cannot have written it.
+std::vector<double> read_column(std::string_view& bytes, std::uint64_t most);
 
 }  // namespace edgecase::recording

@@ -19,6 +19,7 @@
 #include "recording/block.h"
 #include "recording/bytes.h"
 #include "wire/answer_line.h"
+#include "wire/json_size.h"
 #include "wire/json_values.h"
 
 namespace edgecase {
@@ -31,6 +32,8 @@ using recording::checksum;
 constexpr std::string_view kMagic = "edgecase-recording ";
 // A size of 16 digits, a space, a checksum of 8 digits, a line break.
 constexpr std::size_t kEndSize = 26;
+// Its first two lines; claims are bounded (wire/answer_line.h).
+constexpr std::size_t kLongestHead = std::size_t{1} << 20;
 
 std::string text_of(const json& value) {
   return value.dump(-1, ' ', true, json::error_handler_t::replace);
@@ -61,6 +64,7 @@ RecordingHead to_head(const json& line) {
       wire::read_int(renderer.at("subpixel_bits"), wire::Path({}, "subpixel_bits"),
                      std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
   head.renderer.traits = renderer.at("traits").get<std::map<std::string, std::string>>();
+  head.renderer = bounded_claims(std::move(head.renderer));
   return head;
 }
 
@@ -181,6 +185,21 @@ std::string recording_bytes(const RecordingHead& head, const std::vector<Recorde
   return bytes;
 }
 
+namespace {
+
+// Of some 100,000 cases at most.
+json read_index(std::string_view index) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 24;
+  constexpr std::size_t kMostValues = std::size_t{1} << 20;
+  const std::string text = recording::read_deflated(index, kMostBytes);
+  const JsonSize size = size_of_json(text);
+  if (size.levels > kMostLevels || size.values > kMostValues)
+    throw std::runtime_error("its index is larger than any may be");
+  return json::parse(text);
+}
+
+}  // namespace
+
 Recording Recording::read(std::string bytes) {
   Recording result;
   result.bytes_ = std::move(bytes);
@@ -188,7 +207,7 @@ Recording Recording::read(std::string bytes) {
   check_version(all.substr(0, all.find('\n')));
   std::string_view index = index_of(all);
   const std::size_t end = all.size() - kEndSize - index.size();
-  const json entries = json::parse(recording::read_deflated(index));
+  const json entries = read_index(index);
   const std::string_view head = checked(all, 0, entries.at("head"));
   result.head_ = to_head(json::parse(head.substr(head.find('\n'))));
   std::size_t begin = head.size();
@@ -197,7 +216,7 @@ Recording Recording::read(std::string bytes) {
     const json& scenes = entry.at("scenes");
     for (std::size_t i = 0; i + 1 < scenes.size(); i += 2)
       result.places_[scenes[i]] = {scenes[i + 1], result.blocks_.size(), i / 2};
-    result.blocks_.push_back({begin, size});
+    result.blocks_.push_back({begin, size, scenes.size() / 2});
     begin += size;
   }
   if (begin != end) throw std::runtime_error("it holds more than its index says");
@@ -220,12 +239,12 @@ std::variant<RecordingHead, std::string> Recording::open_head(const std::filesys
   auto in = open_file(path);
   if (!in) return unreadable(path);
   try {
-    std::string version;
-    std::string line;
-    std::getline(*in, version);
-    check_version(version);
-    std::getline(*in, line);
-    return to_head(json::parse(line));
+    std::string beginning(kLongestHead, '\0');
+    in->read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    beginning.resize(static_cast<std::size_t>(in->gcount()));
+    const std::size_t end = beginning.find('\n');
+    check_version(std::string_view(beginning).substr(0, end));
+    return to_head(json::parse(beginning.substr(end + 1, beginning.find('\n', end + 1) - end - 1)));
   } catch (const std::exception& error) {
     return refusal(path, error.what());
   }
@@ -236,9 +255,10 @@ const Recording::Place* Recording::find(const std::string& id) const {
   return found == places_.end() ? nullptr : &found->second;
 }
 
-std::vector<std::string> Recording::lines(std::size_t block) const {
+std::vector<std::string> Recording::lines(std::size_t block, std::size_t longest) const {
   const Stretch& stretch = blocks_.at(block);
-  return recording::unpack_block(std::string_view(bytes_).substr(stretch.begin, stretch.size));
+  return recording::unpack_block(std::string_view(bytes_).substr(stretch.begin, stretch.size),
+                                 stretch.scenes > 1 ? kLongestBlock : longest);
 }
 
 }  // namespace edgecase
@@ -263,7 +283,7 @@ Failure unreadable(const std::string& why) {
 Failure read_failure(const std::string& line) {
   try {
     const json failure = json::parse(line);
-    return {kind_of_name(failure.at("failure")), failure.at("reason")};
+    return {kind_of_name(failure.at("failure")), bounded_text(failure.at("reason"))};
   } catch (const std::exception& error) {
     return unreadable(error.what());
   }

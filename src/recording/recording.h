@@ -46,6 +46,10 @@ struct RecordedBlock {
   std::string bytes;
 };
 
+// The most bytes of lines that a block has, unless it has a single one: reading one means reading
+// all, and a small file may be a very large block.
+constexpr std::size_t kLongestBlock = std::size_t{1} << 23;
+
 // Packs stored lines (see stored_line), one for each scene.
 RecordedBlock make_block(std::vector<RecordedBlock::Scene> scenes,
                          const std::vector<std::string>& lines);
@@ -73,13 +77,16 @@ class Recording {
   std::size_t size() const { return places_.size(); }
   // The place of a case, or null.
   const Place* find(const std::string& id) const;
-  // The lines of a block. Throws std::runtime_error if it cannot be unpacked.
-  std::vector<std::string> lines(std::size_t block) const;
+  // The lines of a block, whose scenes are `scenes` in number. Throws std::runtime_error if it
+  // cannot be unpacked. `longest`: what the line of a scene that has a block to itself may have, in
+  // bytes.
+  std::vector<std::string> lines(std::size_t block, std::size_t longest) const;
 
  private:
   struct Stretch {
     std::size_t begin = 0;
     std::size_t size = 0;
+    std::size_t scenes = 0;
   };
 
   static Recording read(std::string bytes);

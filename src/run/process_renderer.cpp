@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "casefile/json/text.h"
+#include "casefile/scene/scene_reader.h"
 #include "wire/message.h"
 #include "wire/request_line.h"
 
@@ -32,22 +33,6 @@ Scene empty_scene() {
   return scene;
 }
 
-// Room for a thousand fragments in each pixel of a small target or several in each of a large one,
-// and for generated mip chains, 32 bytes a number.
-std::size_t longest_answer(const Scene& scene) {
-  constexpr std::size_t kBase = std::size_t{1} << 26;
-  constexpr std::size_t kPerSample = 1024;
-  // A chain has at most twice the numbers of its first level.
-  constexpr std::size_t kPerNumber = 2 * 32;
-  std::size_t chains = 0;
-  for (const auto& texture : scene.textures)
-    if (texture->generated) chains += kPerNumber * texture->levels[0].texels.size();
-  const auto samples = static_cast<std::size_t>(scene.target.width) *
-                       static_cast<std::size_t>(scene.target.height) *
-                       static_cast<std::size_t>(scene.target.samples);
-  return std::min(kMaxLineLength, kBase + chains + kPerSample * samples);
-}
-
 // Runs of pixels do not say which samples are covered, so multisampled targets need whole answers.
 bool takes_coverage(const Task& task) {
   return task.coverage_only && task.scene->target.samples == 1;
@@ -66,6 +51,31 @@ std::string last_words(std::string text) {
 }
 
 }  // namespace
+
+// For each sample of each pass the numbers of its pixel, depth, stencil and hits; fragments, four
+// times as many as there may be and as fill the target, but no more than one of each primitive at
+// each sample; for generated mip chains, 32 bytes a number; for claims and for small mistakes, a
+// sum that takes little memory to read.
+std::size_t longest_answer(const Scene& scene) {
+  constexpr double kBase = 1 << 23;
+  constexpr double kPerSample = 256;
+  // A chain has at most twice the numbers of its first level.
+  constexpr double kPerNumber = 2 * 32;
+  const double per_fragment = scene.details.any() ? 1024 : 256;
+  double chains = 0;
+  for (const auto& texture : scene.textures)
+    if (texture->generated)
+      chains += kPerNumber * static_cast<double>(texture->levels[0].texels.size());
+  double primitives = 0;  // at most one a vertex
+  for (const Draw& draw : scene.draws) primitives += static_cast<double>(draw.vertices.size());
+  const double samples =
+      static_cast<double>(scene.target.width) * scene.target.height * scene.target.samples;
+  const auto passes = static_cast<double>(std::max<std::size_t>(1, scene.supersampling.size()));
+  const double drawn = static_cast<double>(most_drawn_samples(scene)) + passes * samples;
+  const double fragments = std::min(4 * drawn, passes * samples * primitives);
+  const double bytes = kBase + passes * (chains + samples * kPerSample) + fragments * per_fragment;
+  return static_cast<std::size_t>(std::min(bytes, static_cast<double>(kMaxLineLength)));
+}
 
 std::chrono::milliseconds startup_patience(std::chrono::milliseconds timeout) {
   return std::clamp(4 * timeout, std::chrono::milliseconds(5'000),
@@ -235,7 +245,7 @@ Failure ProcessRenderer::failure_of(ChildProcess::Status status) {
   }
   if (status == ChildProcess::Status::too_long)
     return {FailureKind::garbage,
-            "its answer goes on without a line break, far beyond what this scene can need"};
+            "its answer is longer, by far, than any that this scene can need"};
   if (status == ChildProcess::Status::timed_out) {
     return {FailureKind::timed_out,
             fmt::format("no answer within {} ms{}", patience().count(), quote_errors())};

@@ -38,6 +38,10 @@ struct ProcessSpec {
 // The additional time for a renderer's first answer: four times `timeout`, but 5 to 30 seconds.
 std::chrono::milliseconds startup_patience(std::chrono::milliseconds timeout);
 
+// The most bytes of an answer to this scene, as a line or a message: several times what it can
+// need. A renderer that goes on has lost its way.
+std::size_t longest_answer(const Scene& scene);
+
 // The argument that makes a worker speak in bytes.
 constexpr const char* kMessagesOption = "--messages";
 

@@ -74,7 +74,8 @@ Outcome RecordingRenderer::replay(const Task& task) {
     return Failure{FailureKind::unavailable,
                    "recorded from another scene: the case has changed since; record it again"};
   try {
-    if (place->block != block_) lines_ = recording_->lines(place->block);
+    if (place->block != block_)
+      lines_ = recording_->lines(place->block, longest_answer(*task.scene));
     block_ = place->block;
     return recording::outcome_of(lines_.at(place->line), *task.scene);
   } catch (const std::exception& error) {
@@ -107,7 +108,7 @@ class Recorder {
 
  private:
   struct Made {
-    RecordedBlock block;
+    std::vector<RecordedBlock> blocks;
     RendererInfo renderer;
     std::size_t failures = 0;
   };
@@ -128,21 +129,35 @@ class Recorder {
     for (const Case& one : cases) tasks.push_back({one.id, &one.scene});
     std::vector<RecordedBlock::Scene> scenes;
     std::vector<std::string> lines;
+    std::size_t bytes = 0;
+    const auto end_block = [&] {
+      if (!lines.empty()) made.blocks.push_back(make_block(std::move(scenes), lines));
+      scenes.clear();
+      lines.clear();
+      bytes = 0;
+    };
     try {
       renderer.render(tasks, [&](std::size_t index, Outcome outcome) {
         // A failure may come from being stopped itself.
         const auto* failure = std::get_if<Failure>(&outcome);
         if (stopped() && failure != nullptr) throw Stopped{};
         if (failure != nullptr) note(*failure, made);
+        std::string line = recording::stored_line(outcome);
+        bytes += line.size() + sizeof(line);
+        if (bytes > kLongestBlock) {
+          const std::size_t own = line.size() + sizeof(line);
+          end_block();
+          bytes = own;
+        }
         scenes.push_back({tasks[index].id, digest_of(scene_json(*tasks[index].scene))});
-        lines.push_back(recording::stored_line(outcome));
+        lines.push_back(std::move(line));
         report_progress();
         if (stopped()) throw Stopped{};
       });
     } catch (const Stopped&) {
     }
     made.renderer = renderer.info();
-    if (!lines.empty()) made.block = make_block(std::move(scenes), lines);
+    end_block();
   }
 
   void note(const Failure& failure, Made& made) {
@@ -167,9 +182,11 @@ class Recorder {
       // One that never got an answer knows nothing of the renderer.
       if (recorded.renderer.device.empty() && !made.renderer.name.empty())
         recorded.renderer = std::move(made.renderer);
-      recorded.cases += made.block.scenes.size();
       recorded.failures += made.failures;
-      if (!made.block.scenes.empty()) blocks.push_back(std::move(made.block));
+      for (RecordedBlock& block : made.blocks) {
+        recorded.cases += block.scenes.size();
+        blocks.push_back(std::move(block));
+      }
     }
     RecordingHead head{options_.tool, recorded.renderer, recorded.is_complete};
     // Of a recording: as if the renderer itself had been asked again.

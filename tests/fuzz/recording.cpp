@@ -35,11 +35,11 @@ void open_with_index(std::string_view text) {
 void unpack(std::string_view bytes) {
   std::vector<std::string> lines;
   try {
-    lines = recording::unpack_block(bytes);
+    lines = recording::unpack_block(bytes, kLongestBlock);
   } catch (const std::runtime_error&) {
     return;
   }
-  promise(recording::unpack_block(recording::pack_block(lines)) == lines,
+  promise(recording::unpack_block(recording::pack_block(lines), kLongestBlock) == lines,
           "lines that are read come back");
 }
 

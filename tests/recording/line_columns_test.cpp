@@ -12,6 +12,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 using Lines = std::vector<std::string>;
+constexpr std::size_t kPlenty = 10000;  // bytes
 
 TEST(LineColumns, NumbersGoToColumnsOfTheirKeyAndIndexModuloFour) {
   const LineColumns parts = take_apart({R"({"x":3,"c":[1,0.5,2,4,7],"y":[{"x":9},{"x":-2}]})"});
@@ -51,8 +52,8 @@ TEST(LineColumns, EveryLineComesBackByteForByte) {
       R"({"a":"7, # and \"8\"","b":["nan","-inf",null,true],"":[[1.5],[2,[3]]],"c\"d":4})",
       R"({"a":[1,2,3,4,5,6,7,8,9.25,-1e-30,11,{"a":{"a":[12]}}]})",
       R"("#")"};
-  EXPECT_EQ(put_together(take_apart(lines)), lines);
-  EXPECT_THAT(put_together(take_apart({})), IsEmpty());
+  EXPECT_EQ(put_together(take_apart(lines), kPlenty), lines);
+  EXPECT_THAT(put_together(take_apart({}), kPlenty), IsEmpty());
 }
 
 TEST(LineColumns, OnlyNumbersWrittenAsWeWriteThemLeaveTheText) {
@@ -61,13 +62,22 @@ TEST(LineColumns, OnlyNumbersWrittenAsWeWriteThemLeaveTheText) {
 }
 
 TEST(LineColumns, PartsThatDoNotBelongTogetherAreRefused) {
-  EXPECT_THROW(put_together({"[#]\n", {}}), std::runtime_error);
-  EXPECT_THROW(put_together({"[#,#]\n", {{1}}}), std::runtime_error);
-  EXPECT_THROW(put_together({"[#]\n", {{1, 2}}}), std::runtime_error);
-  EXPECT_THROW(put_together({"[]\n", {{1}}}), std::runtime_error);
-  EXPECT_THROW(put_together({"[#]", {{1}}}), std::runtime_error);
-  EXPECT_THROW(put_together({"]\n", {}}), std::runtime_error);
-  EXPECT_THROW(put_together({"\"abc\n", {}}), std::runtime_error);
+  EXPECT_THROW(put_together({"[#]\n", {}}, kPlenty), std::runtime_error);
+  EXPECT_THROW(put_together({"[#,#]\n", {{1}}}, kPlenty), std::runtime_error);
+  EXPECT_THROW(put_together({"[#]\n", {{1, 2}}}, kPlenty), std::runtime_error);
+  EXPECT_THROW(put_together({"[]\n", {{1}}}, kPlenty), std::runtime_error);
+  EXPECT_THROW(put_together({"[#]", {{1}}}, kPlenty), std::runtime_error);
+  EXPECT_THROW(put_together({"]\n", {}}, kPlenty), std::runtime_error);
+  EXPECT_THROW(put_together({"\"abc\n", {}}, kPlenty), std::runtime_error);
+}
+
+// A mark may stand for many digits, and a line without any takes memory, too.
+TEST(LineColumns, LinesAreAsLongAsTheyMayBe) {
+  const LineColumns parts{"[#,#]\n", {{0.1, -1e-300}}};
+  const std::size_t size = put_together(parts, kPlenty)[0].size() + sizeof(std::string);
+  EXPECT_EQ(put_together(parts, size).size(), 1u);
+  EXPECT_THROW(put_together(parts, size - 1), std::runtime_error);
+  EXPECT_THROW(put_together({std::string(1000, '\n'), {}}, kPlenty), std::runtime_error);
 }
 
 }  // namespace

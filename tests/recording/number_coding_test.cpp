@@ -13,6 +13,8 @@ namespace {
 
 using Numbers = std::vector<double>;
 
+constexpr std::uint64_t kPlenty = 1000;  // numbers or bytes
+
 std::string written(const Numbers& column) {
   std::string bytes;
   write_column(column, bytes);
@@ -23,7 +25,7 @@ std::string written(const Numbers& column) {
 Numbers again(const Numbers& column) {
   const std::string bytes = written(column) + "x";
   std::string_view rest = bytes;
-  Numbers result = read_column(rest);
+  Numbers result = read_column(rest, column.size());
   EXPECT_EQ(rest, "x");
   return result;
 }
@@ -84,30 +86,40 @@ TEST(NumberCoding, WhatIsNoColumnIsRefused) {
   const std::string good = written({0.5, 0.75, 1000});
   for (std::size_t size = 0; size < good.size(); ++size) {
     std::string_view cut = std::string_view(good).substr(0, size);
-    EXPECT_THROW(read_column(cut), std::runtime_error) << size;
+    EXPECT_THROW(read_column(cut, kPlenty), std::runtime_error) << size;
   }
   std::string unknown = good;
   unknown[0] = 8;
   std::string_view bytes = unknown;
-  EXPECT_THROW(read_column(bytes), std::runtime_error);
+  EXPECT_THROW(read_column(bytes, kPlenty), std::runtime_error);
   // Three bytes are no float32.
   std::string odd(1, 4);
   write_deflated("abc", odd);
   bytes = odd;
-  EXPECT_THROW(read_column(bytes), std::runtime_error);
+  EXPECT_THROW(read_column(bytes, kPlenty), std::runtime_error);
+}
+
+TEST(NumberCoding, MoreNumbersThanThereMayBeAreRefused) {
+  for (const Numbers& column :
+       {Numbers(9, 7.0), Numbers(9, 7000.0), Numbers(9, 0.5), Numbers(9, 0.1)}) {
+    const std::string bytes = written(column);
+    std::string_view rest = bytes;
+    EXPECT_THROW(read_column(rest, 8), std::runtime_error) << column[0];
+  }
 }
 
 TEST(Bytes, SizesAreRefusedWhereTheyPromiseTooMuch) {
   std::string huge;
   write_stretch(std::size_t{1} << 62, "short", huge);
   std::string_view bytes = huge;
-  EXPECT_THROW(read_deflated(bytes), std::runtime_error);
+  EXPECT_THROW(read_deflated(bytes, ~std::uint64_t{0}), std::runtime_error);
   // As much as deflate could make of these, and no memory is taken for it.
   std::string large;
-  write_stretch(kLongestStretch + 1, std::string(std::size_t{1} << 21, 'x'), large);
+  write_stretch(kPlenty + 1, std::string(std::size_t{1} << 21, 'x'), large);
   bytes = large;
-  EXPECT_THAT([&] { read_deflated(bytes); }, ::testing::ThrowsMessage<std::runtime_error>(
-                                                 ::testing::HasSubstr("longer than any may be")));
+  EXPECT_THAT([&] { read_deflated(bytes, kPlenty); },
+              ::testing::ThrowsMessage<std::runtime_error>(
+                  ::testing::HasSubstr("1001 bytes, and its scenes can need 1000")));
   std::string endless(12, '\xff');
   bytes = endless;
   EXPECT_THROW(read_size(bytes), std::runtime_error);

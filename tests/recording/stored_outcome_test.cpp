@@ -64,7 +64,7 @@ TEST(StoredOutcome, EveryKindOfRenderingComesBack) {
     lines.push_back(stored_line(told));
     texts.push_back(text_of(told));
   }
-  const std::vector<std::string> again = unpack_block(pack_block(lines));
+  const std::vector<std::string> again = unpack_block(pack_block(lines), kLongestBlock);
   ASSERT_EQ(again, lines);
   for (std::size_t i = 0; i < again.size(); ++i)
     EXPECT_EQ(text_of(outcome_of(again[i], suite.cases[i].scene)), texts[i]) << suite.cases[i].id;
@@ -77,7 +77,7 @@ TEST(StoredOutcome, EveryKindOfFailureComesBack) {
        {FailureKind::unsupported, FailureKind::crashed, FailureKind::timed_out,
         FailureKind::garbage, FailureKind::unavailable}) {
     const Failure failure{kind, "\"why\": 7 # and 8\nand more"};
-    const auto lines = unpack_block(pack_block({stored_line(failure)}));
+    const auto lines = unpack_block(pack_block({stored_line(failure)}), kLongestBlock);
     const Outcome again = outcome_of(lines.at(0), Scene());
     EXPECT_EQ(std::get<Failure>(again).kind, kind);
     EXPECT_EQ(std::get<Failure>(again).reason, failure.reason);
