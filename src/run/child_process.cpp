@@ -15,6 +15,8 @@
 #include <cstring>
 #include <thread>
 
+#include "run/process_tree.h"
+
 namespace edgecase {
 
 namespace {
@@ -190,7 +192,7 @@ ChildProcess::Status ChildProcess::exchange(std::string_view request, std::strin
     // the request must go out first, or the next one would start in its middle.
     answered = answered || take_line(answer);
     if (answered && has_written()) return Status::answered;
-    if (!answered && received_.size() > max_line_length) return Status::too_long;
+    if (received_.size() > max_line_length) return Status::too_long;
     const auto status = turn(deadline, stop);
     if (status == Status::ended) return end(answered || take_line(answer));
     if (status) return *status;
@@ -272,9 +274,7 @@ bool ChildProcess::wait_for_end(milliseconds patience) {
 void ChildProcess::reap() {
   if (pid_ < 0) return;
   ended_by_itself_ = has_ended();
-  ::kill(-pid_, SIGKILL);
-  while (waitpid(pid_, &wait_status_, 0) < 0 && errno == EINTR) {
-  }
+  wait_status_ = end_program(pid_);
   pid_ = -1;
   for (std::size_t before = error_output_.size() + 1;
        errors_.is_open() && before != error_output_.size();) {

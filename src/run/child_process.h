@@ -5,9 +5,10 @@
 //
 // Writing, reading and draining its standard error happen in one poll loop with a deadline, so that
 // no program can block us: one that does not read, one that answers without end, one that fills its
-// standard error. The program runs in a process group of its own (Ctrl-C is ours to handle) and the
-// group dies with this object, and with our process, however that ends. A write to a dead program
-// is an error here, never a SIGPIPE.
+// standard error. The program runs in a process group of its own (Ctrl-C is ours to handle). The
+// group dies with this object, and with our process, however that ends; what the program has
+// started outside of its group dies with this object, too, or with the last one
+// (run/process_tree.h). A write to a dead program is an error here, never a SIGPIPE.
 //
 // run/process_renderer.h knows about scenes, and restarts programs.
 #pragma once

@@ -12,6 +12,8 @@
 #include <cerrno>
 #include <utility>
 
+#include "run/process_tree.h"
+
 extern char** environ;
 
 namespace edgecase {
@@ -133,9 +135,11 @@ std::variant<Spawned, std::string> spawn(const Command& command) {
   std::vector<std::string> arguments = command.argv;
   std::vector<std::string> environment = environment_of(command);
   Spawned spawned;
-  const int failure =
-      posix_spawnp(&spawned.pid, arguments.front().c_str(), &settings.actions, &settings.attributes,
-                   pointers(arguments).data(), pointers(environment).data());
+  const auto start = [&](pid_t& pid) {
+    return posix_spawnp(&pid, arguments.front().c_str(), &settings.actions, &settings.attributes,
+                        pointers(arguments).data(), pointers(environment).data());
+  };
+  const int failure = start_program(start, spawned.pid);
   if (failure != 0)
     return fmt::format("'{}' cannot be started: {}", command.argv.front(), strerror(failure));
   tie_to_us(life.read.number(), spawned.pid);

@@ -7,6 +7,7 @@
 #include <exception>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "wire/fragments.h"
 #include "wire/json_values.h"
@@ -276,16 +277,41 @@ Answer read_answer(const json& document, const std::string& digest, const Scene&
   check_form(document, scene, coverage_only);
   Answer answer;
   if (const json* claims = wire::optional_member(document, "renderer"))
-    answer.claims = read_claims(*claims, {root, "renderer"});
+    answer.claims = bounded_claims(read_claims(*claims, {root, "renderer"}));
   if (const json* reason = wire::optional_member(document, "not_run"))
-    answer.outcome =
-        Failure{FailureKind::unsupported, wire::read_string(*reason, {root, "not_run"})};
+    answer.outcome = Failure{FailureKind::unsupported,
+                             bounded_text(wire::read_string(*reason, {root, "not_run"}))};
   else
     answer.outcome = read_rendering(document, root, scene);
   return answer;
 }
 
 }  // namespace
+
+std::string bounded_text(std::string text) {
+  if (text.size() <= kLongestText) return text;
+  std::size_t end = kLongestText;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // a character
+  const std::size_t left = text.size() - end;
+  text.resize(end);
+  text.shrink_to_fit();
+  return text + fmt::format("... ({} bytes more)", left);
+}
+
+RendererInfo bounded_claims(RendererInfo claims) {
+  if (claims.traits.size() > kMostTraits)
+    throw Refusal(fmt::format("a renderer has {} traits, and may have {}", claims.traits.size(),
+                              kMostTraits));
+  for (std::string* text : {&claims.vendor, &claims.version, &claims.device})
+    *text = bounded_text(std::move(*text));
+  for (auto& [name, trait] : claims.traits) {
+    if (name.size() > kLongestTraitName)
+      throw Refusal(fmt::format("the name of a trait has {} bytes, and may have {}", name.size(),
+                                kLongestTraitName));
+    trait = bounded_text(std::move(trait));
+  }
+  return claims;
+}
 
 std::string answer_line(const std::string& digest, const Rendering& rendering,
                         const RendererInfo* claims) {

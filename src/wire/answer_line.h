@@ -27,6 +27,15 @@ struct Answer {
   std::uint64_t digest = 0;
 };
 
+// What programs say of themselves is told in every report, so it is bounded where it is read: a
+// longer text is cut, with the number of bytes that are left out.
+constexpr std::size_t kLongestText = 1000;     // bytes, before the mark
+constexpr std::size_t kMostTraits = 256;       // of a renderer
+constexpr std::size_t kLongestTraitName = 64;  // bytes
+std::string bounded_text(std::string text);
+// The same for all texts of claims. Throws a wire::Refusal for more traits, or longer names.
+RendererInfo bounded_claims(RendererInfo claims);
+
 // The line for a rendering, without a line break at its end. `claims` may be null.
 std::string answer_line(const std::string& digest, const Rendering& rendering,
                         const RendererInfo* claims);

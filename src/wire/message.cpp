@@ -121,11 +121,15 @@ Answer read_answer(Reader& io, std::uint64_t digest, const Scene& scene, bool co
   carry(io, kind);
   Answer answer;
   carry(io, answer.claims);
-  if (answer.claims) check_claims(*answer.claims);
+  if (answer.claims) {
+    check_claims(*answer.claims);
+    answer.claims = bounded_claims(std::move(*answer.claims));
+  }
   answer.digest = digest_of_bytes(io.left(), digest);
   if (kind == AnswerKind::refusal) {
     Failure failure{FailureKind::unsupported, ""};
     carry(io, failure.reason);
+    failure.reason = bounded_text(std::move(failure.reason));
     answer.outcome = std::move(failure);
   } else {
     answer.outcome = read_drawing(io, kind, scene, coverage_only);
