@@ -84,13 +84,33 @@ std::uint32_t visible(std::uint32_t code, bool keep_breaks) {
   return c1 || code == 0xFFFE || code == 0xFFFF ? kReplacement : code;
 }
 
+// White space before a command does not hide it from the runner.
+bool is_space(std::uint32_t code) {
+  return code == ' ' || (code >= '\t' && code <= '\r') || code == 0x85 || code == 0xA0 ||
+         code == 0x1680 || (code >= 0x2000 && code <= 0x200A) || code == 0x2028 || code == 0x2029 ||
+         code == 0x202F || code == 0x205F || code == 0x3000 || code == 0xFEFF;
+}
+
+// Is a space needed at `at`, so that a log of GitHub's is not obeyed there? Its runner takes
+// "::error::" at the beginning of a line, and "##[error]" anywhere, for commands.
+bool breaks_command(std::string_view text, std::size_t at, bool is_at_begin) {
+  const std::string_view before = text.substr(0, at);
+  return (is_at_begin && text[at] == ':' && before.ends_with(':')) ||
+         (text[at] == '[' && before.ends_with("##"));
+}
+
 std::string make_visible(std::string_view text, bool keep_breaks) {
   std::string out;
   out.reserve(text.size());
+  bool is_at_begin = true;  // of a line, but for spaces and a colon
   for (std::size_t at = 0; at < text.size();) {
+    if (breaks_command(text, at, is_at_begin)) out += ' ';
     const Decoded next = decode(text, at);
-    append_utf8(out, visible(next.code, keep_breaks));
+    const std::uint32_t code = visible(next.code, keep_breaks);
+    append_utf8(out, code);
     at += next.bytes;
+    const bool stays = is_at_begin && (is_space(code) || code == ':');
+    is_at_begin = code == '\n' || stays;
   }
   return out;
 }

@@ -13,7 +13,8 @@
 namespace edgecase {
 
 // `text` as XML 1.0 can hold it, nothing dropped: control characters become their pictures
-// (U+2400 to U+2421), invalid UTF-8 and U+FFFE, U+FFFF become U+FFFD. Tab and line feed stay.
+// (U+2400 to U+2421), invalid UTF-8 and U+FFFE, U+FFFF become U+FFFD. Tab and line feed stay. A
+// space breaks what a log of GitHub's would obey: "::" at the beginning of a line, and "##[".
 std::string xml_text(std::string_view text);
 
 // The same on one line: tabs and line feeds become their pictures too, and marks that turn the

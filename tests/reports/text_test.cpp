@@ -16,6 +16,12 @@ TEST(ReportText, ControlCharactersAreShownNotDropped) {
   EXPECT_EQ(xml_text(std::string("a\x01\x1f\x7f\0b", 6)), "a\u2401\u241F\u2421\u2400b");
   EXPECT_EQ(xml_text("tab\tline\n"), "tab\tline\n");
   EXPECT_EQ(one_line("a\u202Eb"), "a\uFFFDb");
+  // What GitHub's runner would obey in a log.
+  EXPECT_EQ(one_line("::error::a"), ": :error::a");
+  EXPECT_EQ(xml_text("a\n \u00a0::set-output name=b::\n###[group]"),
+            "a\n \u00a0: :set-output name=b::\n### [group]");
+  EXPECT_EQ(xml_text(":::"), ": : :");
+  EXPECT_EQ(one_line("std::string a##b [c]"), "std::string a##b [c]");
   EXPECT_EQ(one_line("tab\tline\n\x1b[31m"), "tab\u2409line\u240A\u241B[31m");
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/text.h"
+#include "reports/text.h"
 #include "tools/edgecase/options.h"
 
 namespace edgecase {
@@ -33,7 +34,7 @@ void print_scene(const SceneTimes& scene) {
              scene.side);
   for (const RendererTimes& one : scene.renderers) {
     if (!one.problem.empty()) {
-      fmt::print(kLine, one.renderer, "-", rate_of(exact), one.problem);
+      fmt::print(kLine, one.renderer, "-", rate_of(exact), one_line(one.problem));
       continue;
     }
     const auto pixels = static_cast<std::size_t>(scene.side) * static_cast<std::size_t>(scene.side);
@@ -46,7 +47,7 @@ void print_scene(const SceneTimes& scene) {
 
 void print_pipeline(const PipelineRates& rates) {
   if (!rates.problem.empty()) {
-    fmt::print("  {}: {}\n", rates.renderer, rates.problem);
+    fmt::print("  {}: {}\n", rates.renderer, one_line(rates.problem));
     return;
   }
   const auto print = [](const char* name, const std::vector<double>& values,

@@ -9,6 +9,7 @@
 #include "results/comparison.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/options.h"
+#include "tools/edgecase/output/distinct_files.h"
 #include "tools/edgecase/output/report_files.h"
 
 namespace edgecase {
@@ -29,6 +30,9 @@ bool deliver(const std::string& path, const std::string& text) {
 }
 
 ExitCode compare(const CompareCommand& command) {
+  if (!are_distinct({{"--json", command.json}, {"--markdown", command.markdown}},
+                    {command.before, command.after}))
+    return ExitCode::usage;
   ExitCode exit = ExitCode::as_expected;
   const auto before = load_results(command.before, exit);
   if (!before) return exit;

@@ -16,6 +16,7 @@
 #include "run/expectation_check.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/options.h"
+#include "tools/edgecase/output/distinct_files.h"
 #include "tools/edgecase/project.h"
 #include "tools/edgecase/suite_run.h"
 
@@ -121,6 +122,7 @@ ExitCode draw_difference(const DrawCommand& command, const Selection& selection,
 ExitCode draw(const DrawCommand& command) {
   Selection selection = select_cases({command.path});
   selection.filters = command.filters;
+  if (!are_distinct({{"--svg", command.svg}}, selection.paths)) return ExitCode::usage;
   const Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
   if (!suite.diagnostics.empty()) return ExitCode::usage;

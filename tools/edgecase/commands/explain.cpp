@@ -14,6 +14,7 @@
 #include "run/expectation_check.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/output/block_walks.h"
+#include "tools/edgecase/output/distinct_files.h"
 #include "tools/edgecase/output/pixel_words.h"
 #include "tools/edgecase/suite_run.h"
 
@@ -57,7 +58,7 @@ void print_coverage(const Scene& scene, const Policy& policy) {
 
 void print_blocks(const Scene& scene, const Policy& policy, const BlockSizes& sizes) {
   if (scene.supersampling.empty()) {
-    fmt::print("{}", block_text(scene, policy, sizes));
+    fmt::print("{}", xml_text(block_text(scene, policy, sizes)));
     return;
   }
   for (std::size_t k = 0; k < scene.supersampling.size(); ++k) {
@@ -162,6 +163,7 @@ ExitCode print_results(const Case& one, const Policy& policy, const Selection& s
 ExitCode explain(const ExplainCommand& command) {
   Selection selection = select_cases({command.path});
   selection.filters = command.filters;
+  if (!are_distinct({{"--svg", command.svg}}, selection.paths)) return ExitCode::usage;
   const auto policy = command.policy.load(selection, command.run.renderers);
   if (!policy) return ExitCode::usage;
   const Suite suite = load_suite(selection);
@@ -195,7 +197,7 @@ ExitCode explain(const ExplainCommand& command) {
     fmt::print("{}: {}\n{}\n", one_line(one.id), one_line(one.title), xml_text(one.why));
     print_coverage(one.scene, *policy);
     if (command.has_blocks) print_blocks(one.scene, *policy, *sizes);
-    if (pixel) fmt::print("{}", pixel_words(one.scene, *policy, *pixel));
+    if (pixel) fmt::print("{}", xml_text(pixel_words(one.scene, *policy, *pixel)));
     if (command.run.renderers.empty()) continue;
     exit = worse(exit, print_results(one, *policy, selection, command, pixel));
     // If a case does not run, the others still do; an error or an interruption ends the command.

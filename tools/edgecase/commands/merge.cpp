@@ -39,6 +39,7 @@ std::filesystem::path suite_folder_of(const Results& results) {
 }
 
 ExitCode merge(const MergeCommand& command) {
+  if (!command.files.are_distinct_from(command.paths)) return ExitCode::usage;
   std::vector<MergePart> parts;
   for (const std::string& path : command.paths) {
     ExitCode exit = ExitCode::as_expected;

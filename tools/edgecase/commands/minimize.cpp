@@ -22,6 +22,7 @@
 #include "search/scene_size.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/interrupt.h"
+#include "tools/edgecase/output/distinct_files.h"
 #include "tools/edgecase/project.h"
 #include "tools/edgecase/suite_run.h"
 
@@ -277,6 +278,7 @@ ExitCode minimize_case(const MinimizeCommand& command, const Case& original,
 
 ExitCode run_minimize(const MinimizeCommand& command) {
   const Selection selection = select_cases({command.path});
+  if (!are_distinct({{"--output", command.output}}, selection.paths)) return ExitCode::usage;
   const auto policy = command.policy.load(selection, {command.renderer});
   if (!policy || !are_known({command.renderer})) return ExitCode::usage;
   const auto profiles = load_profiles(selection, {command.renderer});

@@ -16,6 +16,7 @@
 #include "run/renderers.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/interrupt.h"
+#include "tools/edgecase/output/distinct_files.h"
 #include "tools/edgecase/output/progress_line.h"
 #include "tools/edgecase/project.h"
 #include "tools/edgecase/suite_run.h"
@@ -60,7 +61,9 @@ void print_recorded(const RecordCommand& command, const Recorded& recorded) {
 
 ExitCode record(const RecordCommand& command) {
   if (!are_known({command.renderer})) return ExitCode::usage;
-  const Suite suite = load_suite(command.selection.selection());
+  const Selection selection = command.selection.selection();
+  if (!are_distinct({{"--output", command.file}}, selection.paths)) return ExitCode::usage;
+  const Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
   ExitCode exit = suite.diagnostics.empty() ? ExitCode::as_expected : ExitCode::usage;
   if (suite.cases.empty()) {

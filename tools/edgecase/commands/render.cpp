@@ -11,6 +11,7 @@
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/interrupt.h"
 #include "tools/edgecase/options.h"
+#include "tools/edgecase/output/distinct_files.h"
 #include "tools/edgecase/output/whole_file.h"
 #include "tools/edgecase/project.h"
 #include "wire/rendering_json.h"
@@ -91,6 +92,8 @@ ExitCode render_tasks(Renderer& renderer, const std::vector<Task>& tasks, Output
 ExitCode render(RenderOptions options) {
   if (options.json.empty() && options.png.empty()) options.json = "-";
   const Selection selection = options.selection.selection();
+  if (!are_distinct({{"--json", options.json}, {"--png", options.png}}, selection.paths))
+    return ExitCode::usage;
   const auto policy = options.policy.load(selection);
   if (!policy) return ExitCode::usage;
   auto made =

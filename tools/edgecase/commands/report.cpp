@@ -27,6 +27,7 @@ struct ReportCommand {
 ExitCode report(const ReportCommand& command) {
   ExitCode exit = ExitCode::as_expected;
   ReportFiles files = command.files;
+  if (!files.are_distinct_from(command.results)) return ExitCode::usage;
   std::optional<Results> results;
   for (const std::string& file : command.results) {
     results.reset();  // one at a time in memory

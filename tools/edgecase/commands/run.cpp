@@ -19,6 +19,7 @@
 #include "reports/summary.h"
 #include "reports/text.h"
 #include "run/record.h"
+#include "run/renderers.h"
 #include "run/rerun.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/earlier_results.h"
@@ -128,7 +129,8 @@ bool write_timings(const std::string& path, const Durations& durations) {
 // A recording is opened when it is asked, since that may take long.
 bool are_renderers_known(const SuiteRunOptions& options) {
   std::vector<std::string> names = options.named();
-  std::erase_if(names, [](const std::string& name) { return is_recording(name); });
+  if (names.size() <= kMostRenderers)
+    std::erase_if(names, [](const std::string& name) { return is_recording(name); });
   return are_known(names);
 }
 
@@ -196,6 +198,34 @@ ExitCode deliver_changes(const Results& latest, const Results& results, const Re
   return files.write(results) ? exit_code_of(results) : ExitCode::internal;
 }
 
+// The files and folders that say what the cases are and how they are judged.
+std::vector<std::filesystem::path> judging_files(const RunCommand& command,
+                                                 const Selection& selection) {
+  std::vector<std::filesystem::path> files = {command.policy.policy};
+  files.insert(files.end(), command.known.begin(), command.known.end());
+  for (const char* folder : {kKnownFolder, "policies", "profiles"})
+    files.push_back(suite_folder(selection) / folder);
+  return files;
+}
+
+// False, with the error printed, where the run would write what it reads, or two reports to one
+// file.
+bool are_outputs_distinct(const RunCommand& command, const Selection& selection) {
+  std::vector<WrittenFile> outputs = command.files.outputs();
+  outputs.push_back({"--timings", command.timings});
+  std::vector<std::filesystem::path> inputs = judging_files(command, selection);
+  inputs.insert(inputs.end(), selection.paths.begin(), selection.paths.end());
+  for (const auto& [renderer, folder] : command.run.project.folders)
+    inputs.push_back(std::filesystem::path(folder) / "edgecase.toml");
+  if (!command.run.project.config.empty()) inputs.emplace_back(command.run.project.config);
+  for (const std::string& renderer : command.run.named())
+    if (is_recording(renderer))
+      inputs.emplace_back(split_name(renderer).address.substr(kRecordingPrefix.size()));
+  for (auto& file : program_files(command.run.named(), command.run.project.folders))
+    inputs.push_back(std::move(file));
+  return are_distinct(outputs, inputs);
+}
+
 ExitCode run(const RunCommand& command, Watched* watched = nullptr) {
   const auto start = std::chrono::steady_clock::now();
   if (command.fail_on == "changes" && command.since.empty()) {
@@ -205,6 +235,7 @@ ExitCode run(const RunCommand& command, Watched* watched = nullptr) {
   Selection selection = command.selection.selection();
   // A misspelt name is told before thousands of cases are loaded.
   if (!command.list && !are_renderers_known(command.run)) return ExitCode::usage;
+  if (!command.list && !are_outputs_distinct(command, selection)) return ExitCode::usage;
   std::optional<Results> since;
   if (!command.list && !command.since.empty()) {
     ExitCode exit = ExitCode::as_expected;
@@ -272,10 +303,7 @@ ExitCode watch(const RunCommand& command) {
   const InterruptGuard guard;
   Watched watched;
   const Selection selection = command.selection.selection();
-  std::vector<std::filesystem::path> judging = {command.policy.policy};
-  judging.insert(judging.end(), command.known.begin(), command.known.end());
-  for (const char* folder : {kKnownFolder, "policies", "profiles"})
-    judging.push_back(suite_folder(selection) / folder);
+  const std::vector<std::filesystem::path> judging = judging_files(command, selection);
   const auto cases_now = [&] { return WrittenTimes(json_files(selection.paths)); };
   const auto others_now = [&] {
     auto files = json_files(judging);

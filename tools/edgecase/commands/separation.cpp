@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "model/text.h"
+#include "reports/text.h"
 #include "run/core_suite.h"
 #include "run/separation.h"
 #include "tools/edgecase/commands/commands.h"
@@ -70,7 +71,7 @@ ExitCode print_cover(const SeparationCommand& command, const Suite& suite) {
       counted(core.pairs, "pair", "pairs"), counted(core.rules, "rule", "rules"), core.fewest);
   for (const std::string& rule : core.unnamed) fmt::print("  no case names {}\n", rule);
   if (command.list.empty()) {
-    fmt::print("{}\n", fmt::join(core.ids, "\n"));
+    for (const std::string& id : core.ids) fmt::print("{}\n", one_line(id));
     return ExitCode::as_expected;
   }
   return write_file(command.list,

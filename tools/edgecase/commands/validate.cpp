@@ -45,12 +45,13 @@ std::optional<std::size_t> lay_out_files(const Suite& suite, bool write) {
     const std::string text = laid_out(*document.root);
     if (text == *source) continue;
     if (!write) {
-      fmt::print("{}: not laid out; `edgecase validate --format` does it\n", file.string());
+      fmt::print("{}: not laid out; `edgecase validate --format` does it\n",
+                 one_line(file.string()));
       ++left;
       continue;
     }
     if (!write_file(file, text)) return std::nullopt;
-    fmt::print("{}: laid out\n", file.string());
+    fmt::print("{}: laid out\n", one_line(file.string()));
   }
   return left;
 }
@@ -61,7 +62,7 @@ std::size_t print_unmet(const Suite& suite) {
     const Policy policy;
     for (const std::string& drawing :
          unmet_drawings(one, policy.name, rasterize(one.scene, policy))) {
-      print_to_stderr(drawing);
+      print_to_stderr(xml_text(drawing));
       ++unmet;
     }
   }

@@ -161,12 +161,28 @@ std::string ReportFiles::html_path() const {
   return is_none_given() ? "out/report.html" : html;
 }
 
+std::string ReportFiles::junit_path() const {
+  return is_none_given() ? "out/junit.xml" : junit;
+}
+
+std::vector<WrittenFile> ReportFiles::outputs() const {
+  return {{"--json", json_path()}, {"--html", html_path()},   {"--junit", junit_path()},
+          {"--ctrf", ctrf},        {"--markdown", markdown},  {"--annotations", annotations},
+          {"--csv", csv},          {"--triptychs", triptychs}};
+}
+
+bool ReportFiles::are_distinct_from(const std::vector<std::string>& results) const {
+  std::vector<WrittenFile> reports = outputs();
+  if (!are_distinct(reports, {})) return false;
+  reports.erase(reports.begin());
+  return are_distinct(reports, {results.begin(), results.end()});
+}
+
 // Of all that is no standard output. The folder of triptychs is one entry of its own folder: it is
 // made only when there is a triptych.
 std::set<std::filesystem::path> ReportFiles::folders() const {
   std::set<std::filesystem::path> found;
-  for (const std::string& path :
-       {json_path(), html_path(), junit, ctrf, markdown, annotations, csv, triptychs}) {
+  for (const auto& [option, path] : outputs()) {
     if (path.empty() || path == "-") continue;
     const std::filesystem::path written = path;
     const std::filesystem::path entry =
@@ -193,8 +209,7 @@ bool ReportFiles::write(const Results& results) const {
   add(none ? kDefaultJson : json, [&](std::ostream& out) {
     json == "-" ? write_results(results, out) : write_and_remember(results, key, out);
   });
-  add(none ? "out/junit.xml" : junit,
-      [&](std::ostream& out) { write_junit(results, durations, out); });
+  add(junit_path(), [&](std::ostream& out) { write_junit(results, durations, out); });
   add(ctrf, [&](std::ostream& out) { write_ctrf(results, durations, out); });
   add(markdown, [&](std::ostream& out) { write_markdown_summary(results, out); });
   add(annotations, [&](std::ostream& out) { write_annotations(results, path_in_repository, out); });

@@ -15,6 +15,7 @@
 #include "results/generations.h"
 #include "results/results_json.h"
 #include "tools/edgecase/exit_code.h"
+#include "tools/edgecase/output/distinct_files.h"
 #include "tools/edgecase/results_key.h"
 
 namespace edgecase {
@@ -64,6 +65,11 @@ struct ReportFiles {
   // Writes what was asked for, "-" meaning standard output. False when something cannot be written;
   // the error is printed and the other files are written all the same.
   bool write(const Results& results) const;
+  // The files and folders that write() makes.
+  std::vector<WrittenFile> outputs() const;
+  // False, with the error printed, where two of them are one file, or a report is one of these
+  // results; results may replace those that they are made of.
+  bool are_distinct_from(const std::vector<std::string>& results) const;
   // Opens the HTML report if --open asks for it, and says on standard error why it cannot be
   // opened.
   void open_if_asked() const;
@@ -76,6 +82,7 @@ struct ReportFiles {
 
  private:
   bool is_none_given() const;
+  std::string junit_path() const;
   std::set<std::filesystem::path> folders() const;
 };
 
