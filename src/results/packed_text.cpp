@@ -170,8 +170,11 @@ std::string packed_places(std::vector<Place> places) {
   return text;
 }
 
-std::vector<Place> to_places(std::string_view text, std::size_t most) {
-  std::vector<Place> places;
+namespace {
+
+// Calls `take` with the first place of each run, its length, and how often each place is named.
+template <class Take>
+void read_place_runs(std::string_view text, Take take) {
   int row = -1;
   int next = 0;
   for (Scanner scanner(text); !scanner.is_at_end(); scanner.separate()) {
@@ -186,12 +189,26 @@ std::vector<Place> to_places(std::string_view text, std::size_t most) {
     const int count = scanner.times('+', kMaxTargetSize);
     const auto times = scanner.times('*', kMostPlaces);
     if (row < 0 || next + count > kMaxTargetSize) scanner.refuse();
-    if (times * static_cast<std::size_t>(count) > most - places.size())
-      throw std::runtime_error(fmt::format("values differ at more than {} places", most));
-    for (const int end = next + count; next < end; ++next)
-      places.insert(places.end(), times, {next, row, -1});
+    take(Place{next, row, -1}, count, times);
+    next += count;
   }
-  places.shrink_to_fit();  // they are kept
+}
+
+}  // namespace
+
+std::vector<Place> to_places(std::string_view text, std::size_t most) {
+  // Counted before there is memory for them.
+  std::size_t size = 0;
+  read_place_runs(text, [&](Place, int count, std::size_t times) {
+    size += times * static_cast<std::size_t>(count);
+    if (size > most)
+      throw std::runtime_error(fmt::format("values differ at more than {} places", most));
+  });
+  std::vector<Place> places;
+  places.reserve(size);
+  read_place_runs(text, [&](Place place, int count, std::size_t times) {
+    for (; count > 0; --count, ++place.x) places.insert(places.end(), times, place);
+  });
   return places;
 }
 

@@ -7,7 +7,6 @@ import pathlib
 import shlex
 import subprocess
 import sys
-import tempfile
 import unittest
 import zlib
 
@@ -19,6 +18,15 @@ MOST_SECONDS = 1 * PATIENCE / 1200  # of processors, of the command and what it 
 MOST_BYTES = 200 << 20
 SANITIZED = PATIENCE > 1200  # whose memory is not its own
 MILLION = 1_000_000
+# Runs a command, and prints its exit code, seconds and kilobytes before what it printed itself. A
+# process of its own, because memory counts from where a process is forked.
+MEASURE = """
+import resource, subprocess, sys
+run = subprocess.run(sys.argv[1:], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE)
+used = resource.getrusage(resource.RUSAGE_CHILDREN)
+print(run.returncode, used.ru_utime + used.ru_stime, used.ru_maxrss, flush=True)
+sys.stdout.buffer.write(run.stdout)
+"""
 
 
 class Bombs(CommandTest):
@@ -28,19 +36,16 @@ class Bombs(CommandTest):
 
     def costs_little(self, *arguments, expect=USAGE, **variables):
         """What the command prints, on both streams, where it took little time and memory."""
-        with tempfile.TemporaryFile("w+") as told:
-            running = subprocess.Popen([EDGECASE, *map(str, arguments)], cwd=self.folder,
-                                       env=environment(**variables), stdin=subprocess.DEVNULL,
-                                       stdout=told, stderr=told)
-            _, status, used = os.wait4(running.pid, 0)
-            running.returncode = os.waitstatus_to_exitcode(status)
-            told.seek(0)
-            text = told.read(MILLION)
-        self.assertEqual(running.returncode, expect, text[:2000])
+        run = self.command("-c", MEASURE, EDGECASE, *arguments, program=sys.executable,
+                           **variables)
+        cost, _, text = run.stdout.partition("\n")
+        code, seconds, kilobytes = map(float, cost.split())
+        text += run.stderr
+        self.assertEqual(code, expect, text[:2000])
         self.assertLess(len(text), 5000)
-        self.assertLess(used.ru_utime + used.ru_stime, MOST_SECONDS)
+        self.assertLess(seconds, MOST_SECONDS)
         if not SANITIZED:
-            self.assertLess(used.ru_maxrss * 1024, MOST_BYTES)
+            self.assertLess(1024 * kilobytes, MOST_BYTES)
         return text
 
     def refused(self, words, *arguments, **variables):
@@ -79,7 +84,6 @@ class Packed(Bombs):
     def test_a_line_of_very_many_values(self):
         text = '{"edgecase_results": 2, "tool": [' + "0," * 32 * MILLION + "0]}\n"
         self.refused("unpack to more than", "report", self.packed(text))
-        self.refused("unpack to more than", "report", self.packed("\n" * 64 * MILLION))
 
     def test_a_window_of_a_gigabyte(self):
         path = self.folder / "window.zst"
@@ -91,11 +95,12 @@ class Packed(Bombs):
     def test_places_fragments_and_samples_beyond_any_case(self):
         (case,) = self.whole["cases"]
         case["width"] = case["height"] = 4096
-        result = only_result(case)
+        ((name, result),) = case["results"].items()
+        result.pop("pixels", None)
         places = " ".join(f"y{y} 0+4096*4096" for y in range(1000))
         fragment = [[0, 4096], 0, 0, 1, 0.5, [0, 0, 0, 1]]
         samples = {"count": 16, "pixels": f"0*{1 << 28}", "hits": f"0*{1 << 28}"}
-        values = {"attribute": "color", "rule": "raster.interpolation", "compared": 1,
+        values = {"attribute": "color", "rule": "triangle.fill-rule", "compared": 1,
                   "components": 4, "worst": [0, 0, 0], "worst_component": 0, "worst_exact": 0,
                   "worst_rendered": 0, "worst_ulp": 1, "mean_ulp": 1, "worst_relative": 0,
                   "ulp_histogram": {}, "differing": places}
@@ -104,12 +109,8 @@ class Packed(Bombs):
                               ({"exact_fragments": [fragment] * 4096}, "more fragments"),
                               ({"samples": samples}, "with 16 samples")):
             with self.subTest(words):
-                before = dict(result)
-                result.update(change)
-                result.pop("pixels", None)
+                case["results"] = {name: {**result, **change}}
                 self.refused(words, *self.report_of(self.whole))
-                result.clear()
-                result.update(before)
 
     def test_pictures_of_one_colour_take_no_memory(self):
         """Legal, and therefore read."""
@@ -184,7 +185,7 @@ class Recordings(Bombs):
         for index in (b"[" + b"0," * 8 * MILLION + b"0]", b"[" * MILLION, b" " * 64 * MILLION):
             self.assertIn("cannot be used", self.costs_little(
                 "run", "cases/a.json", "--against", self.bomb(b"", index), "--no-rerun",
-                expect=RENDERER if False else USAGE))
+                expect=USAGE))
 
 
 class Programs(Bombs):
@@ -229,9 +230,9 @@ def answer(digest, out):
     def test_very_many_traits(self):
         text, _ = self.ran("""
 def answer(digest, out):
-    traits = {str(i): "" for i in range(100000)}
+    traits = {str(i): "" for i in range(20000)}
     json.dump({"digest": digest, "not_run": "r", "renderer": {"traits": traits}}, out)""")
-        self.assertIn("100000 traits", text)
+        self.assertIn("20000 traits", text)
 
     def test_nothing_that_was_started_outlives_the_run(self):
         mark = f"edgecase-orphan-{os.getpid()}"
