@@ -16,6 +16,7 @@ from support import BIN, CommandTest, environment
 from two_users import as_nobody, needs_root
 
 PATIENCE = 20  # seconds
+AT_ONCE = 8  # seconds, for whoever is answered or shown out
 # A browser as far as the worker knows; what it does follows.
 BROWSER = f"""#!{sys.executable}
 import json, os, re, sys, time, urllib.request
@@ -112,7 +113,7 @@ class Served(Worker):
         return int(re.search(rf"(?m)^{key}:\s+(\d+)", text)[1])
 
     def connected(self):
-        return contextlib.closing(socket.create_connection(("127.0.0.1", self.port), PATIENCE))
+        return contextlib.closing(socket.create_connection(("127.0.0.1", self.port), AT_ONCE))
 
     def answer_to(self, text):
         """The status of the answer; 0 where the connection just ends."""
@@ -162,8 +163,7 @@ class Strangers(Served):
                 (411, scene, {"Content_Length": "many"}), (411, scene, {"Content_Length": "-1"}),
                 (411, scene, {"Transfer_Encoding": "chunked"}),
                 (413, scene, {"Content_Length": 1 << 40}), (413, page, {"Content_Length": 1})):
-            with self.subTest(line=line, **fields):
-                self.assertEqual(self.answer_to(self.request(line, **fields)), status)
+            self.assertEqual(self.answer_to(self.request(line, **fields)), status, (line, fields))
         self.assertEqual(self.answer_to(b"hello\r\n\r\n"), 400)
         self.assertEqual(self.answer_to(self.request(scene).replace(b"Host", b"Cookie", 1)), 400)
         # The page is there for whoever has the session, as when a browser loads it again.
@@ -182,12 +182,13 @@ class Strangers(Served):
         self.is_answered()
 
     def test_a_head_is_short(self):
+        before = self.status("VmHWM")
         long = self.request(f"POST /{self.secret}/scene", X="x" * 17_000)
         self.assertIn(self.answer_to(long), (0, 400, 431))
         with self.connected() as stream, self.assertRaises(ConnectionError):
             for _ in range(400):
                 stream.sendall(b"x" * 1_000_000)
-        self.assertLess(self.status("VmHWM"), 100_000)
+        self.assertLess(self.status("VmHWM") - before, 2_000)  # KiB
         self.is_answered()
 
     def test_many_connections_are_few(self):
@@ -203,11 +204,10 @@ class Strangers(Served):
         with self.connected() as silent, self.connected() as slow:
             begun = time.monotonic()
             with self.assertRaises(ConnectionError):
-                while True:
+                while time.monotonic() - begun < AT_ONCE:
                     slow.sendall(b"x")
                     time.sleep(0.02)
             self.assertEqual(silent.recv(1), b"")
-            self.assertLess(time.monotonic() - begun, 10)
         self.is_answered()
 
     def test_the_secret_stands_where_nobody_else_reads(self):
