@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFileName = "edgecase.toml";
+constexpr const char* kNoFile = "/dev/null";  // as --config: no project
 const std::vector<std::string> kOutputs = {"json",     "junit",       "html", "ctrf",
                                            "markdown", "annotations", "csv",  "triptychs"};
 
@@ -204,18 +205,35 @@ fs::path nearest_file() {
 std::string text_of_project(const fs::path& file) {
   constexpr std::size_t kMostBytes = std::size_t{1} << 16;
   constexpr std::ptrdiff_t kMostDots = 2000;
-  if (file == "/dev/null") return "";
   const TextFile read = read_text_file(file, kMostBytes);
-  if (!read.text)
+  if (!read.text || read.text->empty())
     throw ProjectError(
-        fmt::format("{}: it cannot be read: {}; name the file of a project with --config",
-                    file.string(), read.message));
+        fmt::format("{}: it cannot be read, or is empty: {}; name the file of a project with "
+                    "--config",
+                    file.string(), read.text ? "it has no byte" : read.message));
   if (std::count(read.text->begin(), read.text->end(), '.') > kMostDots)
     throw ProjectError(
         fmt::format("{}: it has more than {} dots, in keys and texts together; name "
                     "folders in place of many files",
                     file.string(), kMostDots));
   return *read.text;
+}
+
+// The project of a file that is not read yet. Throws ProjectError where others can write the file
+// and the user has not named it.
+Project project_at(const fs::path& file, bool is_named) {
+  Project project;
+  // The same from every working folder.
+  project.file = without_links(file.parent_path()).value_or("/") / file.filename();
+  project.folder = file.parent_path();
+  const std::string fault = how_others_can_write(project.file);
+  project.is_writable_by_others = !fault.empty();
+  if (!is_named && !fault.empty())
+    throw ProjectError(
+        fmt::format("{}: it is not used unasked, since {}; use it with --config {}, or none with "
+                    "--config {}",
+                    project.file.string(), fault, file.string(), kNoFile));
+  return project;
 }
 
 }  // namespace
@@ -286,31 +304,12 @@ void ProjectOption::take(CLI::App& command, std::string& named,
   named = all.front();
 }
 
-namespace {
-
-// Reads a project's file, and says whose word it is.
-Project open_project(const fs::path& file, bool is_named) {
-  Project project;
-  // The same from every working folder.
-  project.file = without_links(file.parent_path()).value_or("/") / file.filename();
-  project.folder = file.parent_path();
-  const std::string fault = how_others_can_write(project.file);
-  project.is_writable_by_others = !fault.empty();
-  if (!is_named && !fault.empty())
-    throw ProjectError(
-        fmt::format("{}: it is not used unasked, since {}; use it with --config {}, or none with "
-                    "--config /dev/null",
-                    project.file.string(), fault, file.string()));
-  project.text = text_of_project(file);
-  return project;
-}
-
-}  // namespace
-
 std::optional<Project> find_project(const std::string& config) {
+  if (config == kNoFile) return std::nullopt;
   const fs::path file = config.empty() ? nearest_file() : fs::path(config);
   if (file.empty()) return std::nullopt;
-  Project project = open_project(file, !config.empty());
+  Project project = project_at(file, !config.empty());
+  project.text = text_of_project(file);
   try {
     ProjectReader(file, project).read(toml::parse(project.text, file.string()));
   } catch (const toml::parse_error& error) {

@@ -66,8 +66,9 @@ struct ProjectOption {
 };
 
 // The project of the file `config` or, if that is empty, of the nearest edgecase.toml from the
-// working folder upward, which is named on standard error; nothing if there is none. Throws
-// ProjectError, also for a file that was not named and that others can write.
+// working folder upward, which is named on standard error; nothing if there is none, or for the
+// file /dev/null. Throws ProjectError, also for a file that was not named and that others can
+// write.
 std::optional<Project> find_project(const std::string& config);
 
 }  // namespace edgecase
