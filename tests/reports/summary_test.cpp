@@ -71,6 +71,18 @@ TEST(Summary, TheFirstLineSaysHowTheRunEnded) {
             "2 known faults grown, interrupted, 10 s");
 }
 
+TEST(Summary, TheSecondLineSaysWhatWasTakenOver) {
+  const auto summary = [](std::string note) {
+    std::ostringstream out;
+    write_summary(agreeing(3, 1), false, out, RunCost{0.1, 1, std::move(note)});
+    return out.str();
+  };
+  EXPECT_NE(summary("of\x1b[1m\nold.zst").find(" 0.1 s\nof\u241b[1m\u240aold.zst\n"),
+            std::string::npos)
+      << summary("of\x1b[1m\nold.zst");
+  EXPECT_NE(summary("").find(" 0.1 s\n\n"), std::string::npos) << summary("");
+}
+
 TEST(Summary, TheFirstLineHasTheColourOfTheOutcome) {
   Results results = agreeing(1, 1);
   EXPECT_TRUE(summary_of(results, true).starts_with("\x1b[32m1 case, 1 renderer: 0 unexpected"));

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -25,6 +24,24 @@ namespace fs = std::filesystem;
 
 // The first bytes of a skippable frame that holds a code: its magic number, and its size.
 constexpr std::string_view kCodeHead("\x50\x2a\x4d\x18\x20\0\0\0", 8);
+
+// Bytes: all that is read of a journal before it is known to be the user's own, and of any.
+constexpr std::size_t kBeginning = std::size_t{1} << 20;
+constexpr std::size_t kLargest = std::size_t{1} << 30;
+
+// The next bytes of a file, at most so many.
+std::string bytes_of(std::istream& file, std::size_t most) {
+  constexpr std::size_t kPiece = std::size_t{1} << 20;
+  std::string bytes;
+  for (std::size_t got = kPiece; got == kPiece && bytes.size() < most;) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + kPiece);
+    file.read(bytes.data() + before, kPiece);
+    got = static_cast<std::size_t>(file.gcount());
+    bytes.resize(before + got);
+  }
+  return bytes;
+}
 
 // A device or a pipe has no journal.
 bool may_have_journal(const fs::path& results) {
@@ -177,7 +194,12 @@ std::variant<JournalRead, std::string> read_journal(const fs::path& path, const 
   JournalRead read;
   std::ifstream file(path, std::ios::binary);
   if (!file) return fmt::format("cannot read {}", path.string());
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  std::string bytes = bytes_of(file, kBeginning);
+  if (bytes.empty()) return JournalRead{std::nullopt, true};
+  const std::size_t known = size_of_whole_frames(bytes, key, read.is_own);
+  const bool is_long = bytes.size() == kBeginning;
+  if (!is_named && (!read.is_own || (known == 0 && is_long))) return JournalRead{};
+  if (is_long) bytes += bytes_of(file, kLargest);
   bytes.resize(size_of_whole_frames(bytes, key, read.is_own));
   if (bytes.empty()) return JournalRead{std::nullopt, true};
   if (!is_named && !read.is_own) return read;

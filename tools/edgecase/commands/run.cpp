@@ -267,6 +267,7 @@ ExitCode run(const RunCommand& command, Watched* watched = nullptr) {
   if (is_own && (!since || command.ask_all)) files.key = key.get();
   Journal journal(watched == nullptr ? files.json_path() : "", files.key);
   judged.finished = &journal;
+  files.results_are_written = [&journal] { journal.remove(); };
   if (!judged.earlier && !suite.cases.empty()) journal.start();
   judged.likely_first = !command.ask_all;
   const ComparedBefore before = compared_before(command, since, watched, key);
@@ -289,7 +290,6 @@ ExitCode run(const RunCommand& command, Watched* watched = nullptr) {
           ? deliver_changes(*watched->latest, *results, files, command.color, took.count())
           : deliver_results(*results, files, command.color,
                             RunCost{took.count(), kept, before.note(kept)});
-  if (delivered != ExitCode::internal) journal.remove();
   if (!write_timings(command.timings, files.durations)) delivered = ExitCode::internal;
   const ExitCode exit = failing_on(command, *results, delivered, files.since);
   if (exit != ExitCode::internal) print_way_on(command, *results);

@@ -209,6 +209,7 @@ bool ReportFiles::write(const Results& results) const {
   add(none ? kDefaultJson : json, [&](std::ostream& out) {
     json == "-" ? write_results(results, out) : write_and_remember(results, key, out);
   });
+  if (wrote) results_are_written();
   add(junit_path(), [&](std::ostream& out) { write_junit(results, durations, out); });
   add(ctrf, [&](std::ostream& out) { write_ctrf(results, durations, out); });
   add(markdown, [&](std::ostream& out) { write_markdown_summary(results, out); });

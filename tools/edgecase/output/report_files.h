@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -59,6 +60,7 @@ struct ReportFiles {
   std::optional<Comparison> since;  // what the HTML report tells to have changed
   Generations generations;          // known faults by release, for the HTML report
   const ResultsKey* key = nullptr;  // remembers the results, where it is set
+  std::function<void()> results_are_written = [] {};  // called then, before all other files
 
   // `json_names`: how the option for the results file is called.
   void add_to(CLI::App& command, const std::string& json_names = "--json");
