@@ -25,7 +25,8 @@ class Waverer(CommandTest):
                            *options, expect=expect)
         results = results_file.read(self.folder / "results.json")
         # How long it took, and how much an earlier run has compared, differs from run to run.
-        summary = re.sub(r"(, \d+ answers? as before)?, [\d.]+ s\n", "\n", run.stdout, count=1)
+        summary = re.sub(r"(, \d+ answers? as before)?, [\d.]+ s\n(\d+ answers? .* as in .*\n)?",
+                         "\n", run.stdout, count=1)
         return {case["id"]: only_result(case) for case in results["cases"]}, summary, results
 
 
