@@ -245,7 +245,7 @@ Failure ProcessRenderer::failure_of(ChildProcess::Status status) {
   }
   if (status == ChildProcess::Status::too_long)
     return {FailureKind::garbage,
-            "its answer is longer, by far, than any that this scene can need"};
+            "its answer goes on without a line break, far beyond what this scene can need"};
   if (status == ChildProcess::Status::timed_out) {
     return {FailureKind::timed_out,
             fmt::format("no answer within {} ms{}", patience().count(), quote_errors())};

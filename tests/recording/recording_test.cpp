@@ -73,8 +73,9 @@ TEST_F(RecordingFile, KeepsHeadIndexAndLines) {
   EXPECT_EQ(second->block, 0u);
   EXPECT_EQ(second->line, 1u);
   EXPECT_EQ(recording->find("d")->block, 1u);
-  EXPECT_THAT(recording->lines(0), ElementsAre(R"({"pixels":[1,2,3,255]})", R"({"depth":0.5})"));
-  EXPECT_THAT(recording->lines(1), ElementsAre(R"({"failure":"crashed","reason":"x"})"));
+  EXPECT_THAT(recording->lines(0, 0), ElementsAre(R"({"pixels":[1,2,3,255]})", R"({"depth":0.5})"));
+  EXPECT_THAT(recording->lines(1, 100), ElementsAre(R"({"failure":"crashed","reason":"x"})"));
+  EXPECT_THROW(recording->lines(1, 50), std::runtime_error) << "it is longer than its scene needs";
 }
 
 TEST_F(RecordingFile, TheHeadCanBeReadAlone) {
