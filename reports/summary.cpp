@@ -164,6 +164,7 @@ void write_known(const Results& results, std::ostream& out) {
 // "Not supported by egl:llvmpipe: 127 cases: REASON" for each of the commonest reasons.
 void write_unsupported(const Results& results, std::ostream& out) {
   constexpr std::size_t kMostReasons = 6;
+  constexpr std::size_t kMostBytes = 2000;  // of a reason
   for (std::size_t r = 0; r < results.renderers.size(); ++r) {
     std::map<std::string, std::size_t> counts;
     for (const CaseOutline& one : results.cases.outlines())
@@ -176,7 +177,8 @@ void write_unsupported(const Results& results, std::ostream& out) {
     const std::string name = one_line(results.renderers[r].name);
     for (std::size_t i = 0; i < std::min(kMostReasons, reasons.size()); ++i)
       out << fmt::format("Not supported by {}: {}: {}.\n", name,
-                         counted(reasons[i].first, "case", "cases"), one_line(reasons[i].second));
+                         counted(reasons[i].first, "case", "cases"),
+                         one_line(shortened(reasons[i].second, kMostBytes)));
     if (reasons.size() > kMostReasons)
       out << fmt::format("Not supported by {}: {}.\n", name,
                          counted(reasons.size() - kMostReasons, "more reason", "more reasons"));

@@ -75,7 +75,8 @@ void write_group(const UnexpectedGroup& group, const Results& results, const Pai
                      : group.is_partly_known           ? "known in part"
                                                        : "not known");
   if (!group.cause.empty()) out << "    " << paint.bold(one_line(group.cause)) << '\n';
-  const std::string evidence = one_line(evidence_of(one, result));
+  constexpr std::size_t kMostBytes = 2000;
+  const std::string evidence = one_line(shortened(evidence_of(one, result), kMostBytes));
   out << fmt::format("    {}{}{}\n", one_line(one.id), evidence.empty() ? "" : ": ", evidence);
   out << "    " << command_for(one, result, info, results.policy) << '\n';
 }

@@ -93,8 +93,8 @@ class LineReader {
   // memory.
   static constexpr std::size_t kLongestLine = std::size_t{1} << 28;
 
-  // The results of the suite are packed to a twentieth. Lines take up to forty times their bytes when
-  // they are read.
+  // The results of the suite are packed to a twentieth. A line takes up to forty times its bytes
+  // while it is read.
   static constexpr std::size_t kUnpacked = std::size_t{1} << 22;
   static constexpr std::size_t kLargestRatio = 250;
 

@@ -3,7 +3,6 @@
 each is refused in a second and 200 MB, with one message, and nothing else is lost."""
 import json
 import os
-import pathlib
 import shlex
 import subprocess
 import sys
@@ -122,6 +121,15 @@ class Packed(Bombs):
         result["exact_pixels"] = f"ff0000*{1 << 24}"
         self.costs_little(*self.report_of(self.whole), expect=AS_EXPECTED)
 
+    def test_a_reason_without_end(self):
+        (case,) = self.whole["cases"]
+        ((name, result),) = case["results"].items()
+        case["results"] = {name: {**result, "verdict": "not-run", "failure": {
+            "kind": "unsupported", "reason": 4 * MILLION * "r"}}}
+        path = self.packed(results_file.text_of(self.whole))
+        self.assertIn("bytes more", self.costs_little("merge", path, "-o", "r.zst",
+                                                      expect=AS_EXPECTED))
+
     def test_very_many_renderers_and_shards(self):
         info = self.whole["renderers"][0]
         self.whole["renderers"] = [{**info, "name": f"exec:{i}"} for i in range(20_000)]
@@ -129,7 +137,8 @@ class Packed(Bombs):
         named = [f"--against=n{i}=exec:true" for i in range(20_000)]
         self.refused("20000 renderers", "run", "cases", *named)
         self.whole["renderers"] = [info]
-        for count, words in ((2147483647, "no share 1 of 2147483647"), (MILLION, "and 999979 more")):
+        for count, words in ((2147483647, "no share 1 of 2147483647"),
+                             (MILLION, "and 999979 more")):
             self.whole["shard"] = {"index": 1, "count": count, "cases": count, "selection": ""}
             self.refused(words, "merge", self.write_results("shard.json", self.whole))
         self.assertIn("1/2147483647", self.costs_little("run", "cases", "--shard", "1/2147483647"))
@@ -225,7 +234,7 @@ def answer(digest, out):
     json.dump({"digest": digest, "not_run": 1000000 * "r", "renderer": claims}, out)""",
                                  expect=AS_EXPECTED)
         self.assertIn("(999000 bytes more)", text)
-        self.assertEqual(len(results["renderers"][0]["vendor"]), 1000 + len("... (999000 bytes more)"))
+        self.assertEqual(results["renderers"][0]["vendor"], 1000 * "v" + "... (999000 bytes more)")
 
     def test_very_many_traits(self):
         text, _ = self.ran("""
@@ -286,7 +295,8 @@ class Documents(Bombs):
             for name, command in (("cases/link.json", ["validate", "cases"]),
                                   ("cases/link.json", ["validate", "cases/link.json"]),
                                   ("cases/known/link.json", ["run", "cases"]),
-                                  ("cases/policies/link.json", ["run", "cases", "--policy", "link"])):
+                                  ("cases/policies/link.json",
+                                   ["run", "cases", "--policy", "link"])):
                 with self.subTest(f"{secret} {command}"):
                     link = self.folder / name
                     link.parent.mkdir(exist_ok=True)
@@ -307,6 +317,15 @@ class Documents(Bombs):
         (self.folder / "cases/known").mkdir()
         os.mkfifo(self.folder / "cases/known/pipe.json")
         self.assertIn("no regular file", self.costs_little("run", "cases", "--against", "exact"))
+
+    def test_results_that_are_a_file_of_the_system(self):
+        (self.folder / "out").mkdir()
+        for link in ("out/results.zst", "other.zst"):
+            (self.folder / link).symlink_to("/proc/kmsg")
+        self.assertIn("it is empty", self.costs_little("report", "other.zst"))
+        self.costs_little("run", "cases", "--against", "exact", "--csv", "f.csv",
+                          expect=AS_EXPECTED)
+        self.costs_little("run", "cases", "--against", "exact", "--last-failed")
 
     def test_a_log_obeys_nobody(self):
         title = "##[error]title"

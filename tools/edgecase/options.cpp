@@ -316,6 +316,10 @@ void print_nothing_selected() {
 std::optional<std::ifstream> open_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::error_code ignored;
+  // Reading a file of the system that tells no size, such as /proc/kmsg, may take for ever.
+  if (in && std::filesystem::is_regular_file(path, ignored) &&
+      std::filesystem::file_size(path, ignored) == 0)
+    in.setstate(std::ios::eofbit);
   if (in && !std::filesystem::is_directory(path, ignored)) return in;
   print_error(fmt::format("cannot read {}: {}", path.string(), std::strerror(in ? EISDIR : errno)));
   return std::nullopt;
