@@ -73,7 +73,7 @@ TEST(LineColumns, PartsThatDoNotBelongTogetherAreRefused) {
 
 // A mark may stand for many digits, and a line without any takes memory, too.
 TEST(LineColumns, LinesAreAsLongAsTheyMayBe) {
-  const LineColumns parts{"[#,#]\n", {{0.1, -1e-300}}};
+  const LineColumns parts{"[#,#]\n", {{0.1}, {-1e-300}}};
   const std::size_t size = put_together(parts, kPlenty)[0].size() + sizeof(std::string);
   EXPECT_EQ(put_together(parts, size).size(), 1u);
   EXPECT_THROW(put_together(parts, size - 1), std::runtime_error);

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "casefile/loader.h"
 #include "casefile/policy_reader.h"
 #include "rules/all_rules.h"
 #include "run/expectation_check.h"
@@ -163,6 +164,10 @@ GalleryEntry entry_of(const GalleryPicture& picture, const Case& one, const Poli
 }  // namespace
 
 std::optional<LoadedPictures> load_pictures(const fs::path& file, const fs::path& suite) {
+  if (leads_out_of_suite(file)) {
+    print_error(fmt::format("{}: {}; {}", file.string(), kLeadsOut, kLeadsOutRemedy));
+    return std::nullopt;
+  }
   LoadedGallery read = load_gallery(file, known_rules());
   print_diagnostics(read.diagnostics);
   if (!read.value) return std::nullopt;
