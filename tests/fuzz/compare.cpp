@@ -5,6 +5,7 @@
 // by which policy it is judged. So most answers are read, and reach all that compares, judges,
 // writes and reads results.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -33,6 +34,7 @@
 #include "tests/fuzz/target.h"
 #include "wire/answer_line.h"
 #include "wire/message.h"
+#include "wire/request_line.h"
 
 namespace {
 
@@ -40,8 +42,8 @@ using namespace edgecase;
 using nlohmann::json;
 
 // Larger scenes show nothing that these do not, and take all of a run's time.
-constexpr std::size_t kMostSamples = 2048;
-constexpr std::size_t kMostTexels = 16384;
+constexpr std::size_t kMostSamples = 1024;
+constexpr std::size_t kMostTexels = 4096;
 constexpr std::size_t kMostVertices = 64;
 
 // Of sweeps some hundred cases differ in numbers alone.
@@ -291,6 +293,17 @@ void compare_and_judge(const Case& one, const Policy& policy, const Answer& answ
                     *rendering);
 }
 
+// What the input stands for, where EDGECASE_FUZZ_SHOW is set: to see what a find is about.
+void show(const Case& one, const Policy& drawn, const Policy& judged, const json& answer) {
+  static const bool is_asked = std::getenv("EDGECASE_FUZZ_SHOW") != nullptr;
+  if (!is_asked) return;
+  fmt::print(stderr, "case {}\nscene {}\n", one.id, scene_json(one.scene));
+  for (const Policy* policy : {&drawn, &judged})
+    fmt::print(stderr, "{} by {}\n", policy == &drawn ? "drawn" : "judged",
+               fmt::join(policy->rules, ", "));
+  fmt::print(stderr, "answer {}\n", answer.dump());
+}
+
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -308,6 +321,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::size_t spoils = choices.below(5);
   for (std::size_t i = 0; i < spoils; ++i) spoil(answer, choices);
   answer["digest"] = kDigest;
+  show(one, drawn, judged, answer);
   const auto reported = read(answer, one.scene, choices, spoils);
   const bool is_right = spoils == 0 && drawn.rules.empty() && judged.rules.empty() &&
                         judged.latitude == Latitude::opengl;
