@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "tests/wire/scenes.h"
+#include "wire/message.h"
 #include "wire/request_line.h"
 
 namespace edgecase {
@@ -349,6 +350,16 @@ TEST(AnswerLine, RefusesMoreFragmentsThanAFaultMakes) {
       fragments += (i > 0 ? "," : "") + std::string(R"({"x":2,"y":1,"primitive":0})");
     EXPECT_THAT(message_of(answer_with("[" + fragments + "]")), HasSubstr(message));
     EXPECT_EQ(message_of(answer_with("[" + fragments + "]")).empty(), count == 48);
+  }
+}
+
+TEST(AnswerLine, ClaimsAreCheckedAsBytesToo) {
+  for (const int bits : {-1, 0, 32, 33}) {
+    RendererInfo claims;
+    claims.subpixel_bits = bits;
+    const auto parsed = parse_answer_message(answer_message(1, small_rendering(), false, &claims),
+                                             1, small_scene(), false);
+    EXPECT_EQ(std::holds_alternative<Answer>(parsed), bits == 0 || bits == 32) << bits;
   }
 }
 

@@ -4,10 +4,12 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "tests/wire/scenes.h"
 #include "wire/answer_line.h"
+#include "wire/message.h"
 #include "wire/rendering_json.h"
 
 namespace edgecase {
@@ -123,6 +125,25 @@ TEST(TextureAnswers, ChainsThatNoImageOfTheSizeHasAreRefused) {
   chain.push_back(chain.back());
   EXPECT_THAT(message_of(answer_line(kDigest, rendering, nullptr)),
               HasSubstr("/mip_chains/2 has 12 levels, but there are 11 at most"));
+}
+
+// Bytes carry any floats.
+TEST(TextureAnswers, ChainsAreCheckedAsBytes) {
+  constexpr std::uint64_t kOfRequest = 62;
+  const auto refusal = [&](const std::function<void(std::vector<TextureLevel>&)>& change) {
+    Rendering rendering = textured_rendering();
+    change(rendering.mip_chains[2]);
+    return fault_in(parse_answer_message(answer_message(kOfRequest, rendering, false, nullptr),
+                                         kOfRequest, textured_scene(), false));
+  };
+  EXPECT_EQ(refusal([](auto&) {}), "");
+  for (const float texel : {256.0F, -1.0F, 0.5F, std::nanf("")})
+    EXPECT_THAT(refusal([&](auto& chain) { chain[1].texels[2] = texel; }),
+                HasSubstr("a texel that srgb8 does not hold"));
+  EXPECT_THAT(refusal([](auto& chain) { chain[1] = texture_level(1, 3, TextureFormat::srgb8); }),
+              HasSubstr("a level is 1x3, and the image is 2x2"));
+  EXPECT_THAT(refusal([](auto& chain) { chain.resize(12, TextureLevel(chain[1])); }),
+              HasSubstr("12 levels"));
 }
 
 TEST(TextureAnswers, FloatChainsMayHoldWhatIsNotFinite) {
