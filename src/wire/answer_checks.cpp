@@ -102,6 +102,7 @@ void check_hits(const Rendering& rendering, const Scene& scene) {
   const auto contradiction =
       has_fragment_operations(scene) ? excess_of_hits(rendering) : contradiction_of_hits(rendering);
   if (contradiction) throw Refusal(*contradiction);
+  if (rendering.hits.empty() || rendering.samples == 1) return;
   const std::size_t most = wire::kMostOfPrimitive * primitives_of(scene).size();
   for (const std::uint32_t hits : rendering.hits)
     if (hits > most)
@@ -152,11 +153,13 @@ void check_supersampled(const Rendering& rendering, const Scene& scene) {
                    rendering.stencils.size() + rendering.mip_chains.size() +
                    rendering.sample_positions.size() + rendering.sample_pixels.size(),
                0);
-  for (std::size_t k = 0; k < rendering.passes.size(); ++k) try {
+  for (std::size_t k = 0; k < rendering.passes.size(); ++k) {
+    try {
       check_drawing(rendering.passes[k], scene);
     } catch (const Refusal& refusal) {
       throw Refusal(fmt::format("/passes/{}: {}", k, refusal.what()));
     }
+  }
 }
 
 }  // namespace
