@@ -181,6 +181,10 @@ Json answer_json(const CaseResults& one, const Result& result) {
     list.push_back(disagreement_json(*disagreements[i], one.samples.samples));
   json["disagreements"] = std::move(list);
   if (listed < result.disagreements.size()) json["omitted"] = result.disagreements.size() - listed;
+  if (!result.counted.empty()) {
+    json["counted"] = describe_counted(result);
+    json["total"] = count_disagreements(result);
+  }
   Json values = Json::array();
   for (const ValueAggregate& v : result.values) values.push_back(values_json(v));
   json["values"] = std::move(values);

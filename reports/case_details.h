@@ -28,8 +28,9 @@
 
 namespace edgecase {
 
-// The report shows at most this many disagreements of an answer, and the number of the others
-// ("omitted"); the results file is complete.
+// The report shows at most this many disagreements of an answer, and the number of the others that
+// the results file has in full ("omitted"). Of a gross fault the rest have a line of text for each
+// kind ("counted"), and "total" is the number of all.
 constexpr std::size_t kMaxDisagreementsPerAnswer = 2000;
 
 nlohmann::ordered_json case_details(const CaseResults& one);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/text.h"
 #include "reports/text.h"
 #include "rules/all_rules.h"
 
@@ -47,6 +48,17 @@ std::string row(const Disagreement& d) {
                      numbers(d.rendered), field(d.explanation));
 }
 
+// Stands for all of the class: at the first pixel, and told with their number.
+Disagreement first_of(const CountedDisagreements& counted) {
+  Disagreement d;
+  static_cast<DisagreementClass&>(d) = counted;
+  d.x = counted.runs.front().begin;
+  d.y = counted.runs.front().y;
+  d.explanation = fmt::format("{} of this kind, from this pixel on, are only counted",
+                              grouped(counted.count()));
+  return d;
+}
+
 }  // namespace
 
 void write_disagreements_csv(const Results& results, std::ostream& out) {
@@ -61,6 +73,8 @@ void write_disagreements_csv(const Results& results, std::ostream& out) {
       const std::string begin = begin_row(id, names[r], one.results[r]);
       for (const Disagreement& d : one.results[r].disagreements)
         out << begin << ',' << row(d) << ',' << file << "\r\n";
+      for (const CountedDisagreements& counted : one.results[r].counted)
+        out << begin << ',' << row(first_of(counted)) << ',' << file << "\r\n";
     }
   }
 }

@@ -23,6 +23,9 @@
 //   explanation  a sentence
 //   file         path of the case file, as given
 //
+// Of a gross fault those that are only counted (Result::counted) have a row for each of their
+// classes, at the first pixel and with their number as the explanation.
+//
 // Values that differ within what is permitted are no disagreements; the results file counts them.
 #pragma once
 

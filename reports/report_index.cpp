@@ -50,7 +50,8 @@ class FindingsOf {
 
   Findings operator()(const Result& result) const {
     Findings found;
-    for (const Disagreement& d : result.disagreements) add(found, name_of(d.rule), verdict_of(d));
+    for_each_class(result,
+                   [&](const DisagreementClass& d) { add(found, name_of(d.rule), verdict_of(d)); });
     for (const ValueAggregate& values : result.values)
       if (!values.differing.empty()) add(found, name_of(values.rule), verdict_of(values.cause));
     return found;
@@ -62,7 +63,7 @@ class FindingsOf {
     worst = std::max(worst, verdict);
   }
 
-  Verdict verdict_of(const Disagreement& d) const {
+  Verdict verdict_of(const DisagreementClass& d) const {
     if (is_legal(d)) return verdict_of(d.cause);
     const bool is_contested = d.legality == Legality::contested && latitude_ != Latitude::none;
     return is_contested ? Verdict::contested : Verdict::violation;

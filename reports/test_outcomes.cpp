@@ -16,7 +16,7 @@
 namespace edgecase {
 namespace {
 
-// Details list at most this many disagreements; the results file has all of them.
+// Details list at most this many disagreements; the results file has more of them.
 constexpr std::size_t kMostListed = 20;
 // The longest line of a disagreement in bytes. Our own sentences are shorter; a renderer's may be
 // of any length.
@@ -70,8 +70,8 @@ std::string details_of(const CaseResults& one, const Result& result, const std::
     if (size > most) break;
     text += line;
   }
-  if (listed < result.disagreements.size())
-    text += fmt::format("and {} more, see results\n", result.disagreements.size() - listed);
+  if (const std::size_t left = count_disagreements(result) - listed; left > 0)
+    text += fmt::format("and {} more, see results\n", left);
   return text + ending;
 }
 

@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <map>
+#include <utility>
 
 #include "model/text.h"
 #include "results/clusters.h"
@@ -133,7 +136,7 @@ std::string shortened(std::string_view text, std::size_t most) {
 }
 
 std::size_t count_differences(const Result& result) {
-  std::size_t count = result.disagreements.size();
+  std::size_t count = count_disagreements(result);
   for (const ValueAggregate& values : result.values) count += values.differing.size();
   return count;
 }
@@ -144,9 +147,9 @@ std::string headline(const Result& result) {
     if (result.failure) text += fmt::format(", {}", name_of(result.failure->kind));
     return text;
   }
-  const std::size_t listed = result.disagreements.size();
-  const std::size_t values = count_differences(result) - listed;
-  text += ", " + counted(listed, "disagreement", "disagreements");
+  const std::size_t disagreements = count_disagreements(result);
+  const std::size_t values = count_differences(result) - disagreements;
+  text += ", " + counted(disagreements, "disagreement", "disagreements");
   if (values > 0) text += ", " + counted(values, "value", "values") + " within what is permitted";
   return text;
 }
@@ -166,13 +169,33 @@ std::string place_of(const Disagreement& d, int samples) {
   return names_sample(d, samples) ? fmt::format("{}, sample {}", pixel, d.sample) : pixel;
 }
 
+namespace {
+
+// ", missing, triangle.fill-rule, not allowed by ruling 4".
+std::string describe_class(const DisagreementClass& d) {
+  std::string text =
+      fmt::format(", {}, {}, {}", name_of(d.kind), name_of(d.rule), describe(d.legality));
+  if (d.ruling > 0) text += fmt::format(" by ruling {}", d.ruling);
+  if (!d.cause.empty()) text += fmt::format(", cause {}", text_of(d.cause));
+  return text;
+}
+
+}  // namespace
+
 std::string describe(const Disagreement& d, int samples) {
   std::string text = place_of(d, samples);
   if (d.primitive >= 0) text += fmt::format(", primitive {}", d.primitive);
-  text += fmt::format(", {}, {}, {}", name_of(d.kind), name_of(d.rule), describe(d.legality));
-  if (d.ruling > 0) text += fmt::format(" by ruling {}", d.ruling);
-  if (!d.cause.empty()) text += fmt::format(", cause {}", text_of(d.cause));
-  return text + ": " + d.explanation;
+  return text + describe_class(d) + ": " + d.explanation;
+}
+
+std::vector<std::string> describe_counted(const Result& result) {
+  std::map<std::pair<Legality, std::string>, std::size_t, std::greater<>> counts;
+  for (const CountedDisagreements& one : result.counted)
+    counts[{one.legality, describe_class(one)}] += one.count();
+  std::vector<std::string> lines;
+  for (const auto& [of, count] : counts)
+    lines.push_back(fmt::format("and {} more{}", grouped(count), of.second));
+  return lines;
 }
 
 std::string describe_permitted(const ValueAggregate& values) {

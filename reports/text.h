@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "results/comparison.h"
 #include "results/results.h"
@@ -27,6 +28,11 @@ std::string shortened(std::string_view text, std::size_t most);
 
 // Disagreements, and values that differ inside what is permitted.
 std::size_t count_differences(const Result& result);
+
+// "and 1,044,480 more, missing, triangle.fill-rule, not allowed by ruling 4": the disagreements
+// that are only counted (Result::counted), a line for each kind, rule, ruling, legality and cause,
+// the worst first.
+std::vector<std::string> describe_counted(const Result& result);
 
 // "violation, unexpected, 3 disagreements": verdict, standing and counts of a result.
 std::string headline(const Result& result);

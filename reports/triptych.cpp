@@ -56,6 +56,10 @@ class Painting {
     mark_bytes();
     for (const Disagreement& d : result.disagreements)
       if (is_inside(d.x, d.y)) marks_[index_of(d.x, d.y)] = color_of(d.kind);
+    for (const CountedDisagreements& counted : result.counted)
+      for (const PixelRun& run : counted.runs)
+        for (int x = run.begin; x < run.end; ++x)
+          if (is_inside(x, run.y)) marks_[index_of(x, run.y)] = color_of(counted.kind);
   }
 
   Triptych paint() {

@@ -70,12 +70,13 @@ class DisagreementList {
       class: sampled ? "sampled" : "", role: "listbox", "aria-label": "Disagreements",
     });
     this.pager = h("div.pager", {});
-    const count = this.list.length + this.omitted;
+    const count = answer.total || this.list.length + this.omitted;
     this.element = count > 0 && h("section.card", {},
       h("h2", {}, "Disagreements ", h("span.faint", {}, count.toLocaleString("en")), this.pager),
       this.body,
       this.omitted > 0 && h("p.faint", {}, plural(this.omitted, "more is", "more are") +
-        " left out of this report; the results file has all of them."));
+        " left out of this report; the results file has all of them."),
+      (answer.counted || []).map((line) => h("p.faint", {}, line)));
   }
 
   show(index) {

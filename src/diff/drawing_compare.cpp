@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "diff/add_disagreement.h"
 #include "diff/coverage/coverage_compare.h"
 #include "diff/coverage/coverage_diff.h"
 #include "diff/coverage/legality.h"
@@ -84,7 +85,7 @@ void compare_places(const Target& target, const SamplePositions& reported, Resul
         "samples {} and {} of each pixel lie at one place, ({}, {}) from its lower left corner, by "
         "what the renderer reports. Ruling {}",
         first - reported.begin(), s, x, y, kRulingOnSharedPlaces);
-    result.disagreements.push_back(std::move(d));
+    add_disagreement(result, std::move(d));
     return;
   }
 }
@@ -120,12 +121,10 @@ Result compare_drawing(const Drawing& drawing, const AlternativeSet& refuted, Co
     compare_values(values, exact, rendered, profile, result);
     compare_places(scene.target, rendered.sample_positions, result);
   }
-  for (Disagreement& d : result.disagreements) {
-    if (rendered.samples > 1)
-      mark_sample(d, exact.sample_positions);
-    else
-      d.sample = 0;
-  }
+  if (rendered.samples > 1)
+    for (Disagreement& d : result.disagreements) mark_sample(d, exact.sample_positions);
+  else
+    for_each_class(result, [](DisagreementClass& d) { d.sample = 0; });
   return result;
 }
 
@@ -216,7 +215,11 @@ class PassComparison {
     result_.refuted = pass.refuted;
     for (Disagreement& d : pass.disagreements) {
       attribute(k, d);
-      result_.disagreements.push_back(std::move(d));
+      add_disagreement(result_, std::move(d));
+    }
+    for (CountedDisagreements& counted : pass.counted) {
+      counted.sample = static_cast<int>(k);
+      add_counted(result_, std::move(counted));
     }
     for (Result::Evidence& evidence : pass.evidence) {
       evidence.pass = static_cast<int>(k);

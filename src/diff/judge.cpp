@@ -51,18 +51,17 @@ std::ptrdiff_t count_of(const Counts& counts, AlternativeId alternative) {
 }
 
 // True if the evidence is about the same primitive and pass as the disagreement.
-bool is_of(const Disagreement& d, const Result::Evidence& evidence) {
+bool is_of(const DisagreementClass& d, const Result::Evidence& evidence) {
   return d.primitive == evidence.primitive && (evidence.pass < 0 || d.sample == evidence.pass);
 }
 
 // True if the drawn primitive is legal, with lines read under `reading`.
 bool is_legal(const Result& result, const Result::Evidence& evidence, const std::string& reading) {
-  return std::all_of(
-      result.disagreements.begin(), result.disagreements.end(), [&](const Disagreement& d) {
-        if (!is_of(d, evidence) || d.policy_agrees) return true;
-        if (d.kind == DisagreementKind::value) return true;
-        return is_about_a_line(d) ? !contains(evidence.illegal_line_snaps, reading) : is_legal(d);
-      });
+  return !any_class(result, [&](const DisagreementClass& d) {
+    if (!is_of(d, evidence) || d.policy_agrees) return false;
+    if (d.kind == DisagreementKind::value) return false;
+    return is_about_a_line(d) ? contains(evidence.illegal_line_snaps, reading) : !is_legal(d);
+  });
 }
 
 // True if more of the run speaks for each of these alternatives than against it.
@@ -121,16 +120,16 @@ Cause choose_cause(const Result::Evidence& evidence, bool legal, const RunReadin
 
 void judge_primitive(const Result::Evidence& evidence, const std::string& reading,
                      const Cause& cause, Result& result) {
-  for (Disagreement& d : result.disagreements) {
-    if (!is_of(d, evidence) || d.kind == DisagreementKind::value) continue;
-    if (d.policy_agrees) continue;
+  for_each_class(result, [&](DisagreementClass& d) {
+    if (!is_of(d, evidence) || d.kind == DisagreementKind::value) return;
+    if (d.policy_agrees) return;
     d.cause = cause;
-    if (!is_about_a_line(d)) continue;
+    if (!is_about_a_line(d)) return;
     d.legality = by_letter(!contains(evidence.illegal_line_snaps, reading));
     // An illegal gap keeps the verdict of compare(); with other results it may have been legal.
     if (cause == Cause(kInteriorGap))
       d.ruling = is_legal(d) ? 3 : d.rule == RuleId::line_joint ? 14 : 1;
-  }
+  });
 }
 
 // Alternatives of sample.enable that ignore the switch for points and triangles have the same
@@ -150,18 +149,20 @@ void name_switch(const Counts& counts, Result& result) {
     if (counts.contains(id) && (!most || counts.at(id) > counts.at(*most))) most = id;
   }
   if (!most) return;
-  for (Disagreement& d : result.disagreements)
+  for_each_class(result, [&](DisagreementClass& d) {
     if (d.kind == DisagreementKind::value)
       for (AlternativeId& part : d.cause.parts)
         if (std::ranges::find(ignored, part) != ignored.end()) part = *most;
+  });
 }
 
 // For a difference that the letter of a ruling forbids, the basis of the ruling decides whether it
 // is contested. This is the only place that knows. Judging again applies the rulings as they are
 // now.
 void weigh_rulings(Result& result) {
-  for (Disagreement& d : result.disagreements)
+  for_each_class(result, [](DisagreementClass& d) {
     if (!is_legal(d)) d.legality = legality_against(d.ruling);
+  });
 }
 
 Verdict verdict_of(const Result& result, Latitude latitude) {
@@ -169,32 +170,59 @@ Verdict verdict_of(const Result& result, Latitude latitude) {
   Verdict worst = Verdict::agree;
   for (const ValueAggregate& values : result.values)
     worst = std::max(worst, verdict_of(values, latitude));
-  for (const Disagreement& d : result.disagreements)
+  for_each_class(result, [&](const DisagreementClass& d) {
     worst = std::max(worst, verdict_of(d, latitude));
+  });
   return worst;
 }
 
-// FNV-1a, 64 bits, of rule, kind and set of pixels or samples. Values inside the permitted interval
-// count by rule only, and not at all beside a difference that the letter forbids, since which of
-// them are off by an ULP may depend on the processor. The run decides whether the whole answer is
-// upside down, so the fingerprint has the rules that the case alone gives. Without a rendering it
-// has the kind of failure.
+// FNV-1a, 64 bits.
+class Hash {
+ public:
+  void add(std::string_view text) {
+    for (const char c : text) add_byte(static_cast<unsigned char>(c));
+  }
+  void add(int number) {
+    for (int shift = 0; shift < 32; shift += 8)
+      add_byte(static_cast<unsigned char>(static_cast<unsigned>(number) >> shift));
+  }
+  std::string text() const { return fmt::format("{:016x}", hash_); }
+
+ private:
+  void add_byte(unsigned char byte) { hash_ = (hash_ ^ byte) * 0x100000001b3u; }
+
+  std::uint64_t hash_ = 0xcbf29ce484222325u;
+};
+
+RuleId rule_of_case(const DisagreementClass& d) {
+  return d.upright ? d.upright->rule : d.rule;
+}
+
+// The hash of rule, kind and set of pixels or samples; of counted ones, of their runs. Values
+// inside the permitted interval count by rule only, and not at all beside a difference that the
+// letter forbids, since which of them are off by an ULP may depend on the processor. The run
+// decides whether the whole answer is upside down, so the fingerprint has the rules that the case
+// alone gives. Without a rendering it has the kind of failure.
 std::string fingerprint_of(const Result& result) {
   if (result.failure) return name_of(result.failure->kind);
   std::set<std::string> lines;
   for (const Disagreement& d : result.disagreements)
-    lines.insert(fmt::format("{} {} {} {}{}\n", name_of(d.upright ? d.upright->rule : d.rule),
-                             name_of(d.kind), d.x, d.y,
+    lines.insert(fmt::format("{} {} {} {}{}\n", name_of(rule_of_case(d)), name_of(d.kind), d.x, d.y,
                              d.sample > 0 ? fmt::format(" {}", d.sample) : ""));
   for (const ValueAggregate& values : result.values)
     if (result.verdict < Verdict::contested)
       lines.insert(fmt::format("{} {} {}\n", name_of(values.rule), values.attribute,
                                values.cause.empty() ? "permitted" : text_of(values.cause)));
   if (lines.empty()) return "";
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const std::string& line : lines)
-    for (const char c : line) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return fmt::format("{:016x}", hash);
+  Hash hash;
+  for (const std::string& line : lines) hash.add(line);
+  for (const CountedDisagreements& counted : result.counted) {
+    hash.add(fmt::format("{} {} {}\n", name_of(rule_of_case(counted)), name_of(counted.kind),
+                         counted.sample));
+    for (const PixelRun& run : counted.runs)
+      for (const int number : {run.y, run.begin, run.end}) hash.add(number);
+  }
+  return hash.text();
 }
 
 }  // namespace
@@ -301,9 +329,44 @@ std::vector<JudgedPixel> judged_pixels(const Result& result, Latitude latitude) 
   return pixels;
 }
 
+// The same of a gross fault, as the numbers of pixels by verdict. It differs at most pixels, and a
+// byte for each is less than a list.
+std::map<Verdict, std::size_t> count_gross(const Result& result, Latitude latitude) {
+  int width = 0;
+  int height = 0;
+  const auto reach = [&](int x, int y) {
+    width = std::max(width, x + 1);
+    height = std::max(height, y + 1);
+  };
+  for (const Disagreement& d : result.disagreements) reach(d.x, d.y);
+  for (const CountedDisagreements& counted : result.counted)
+    for (const PixelRun& run : counted.runs) reach(run.end - 1, run.y);
+  for (const ValueAggregate& values : result.values)
+    for (const ValueAggregate::Place& place : values.differing) reach(place.x, place.y);
+  std::vector<std::uint8_t> worst(static_cast<std::size_t>(width) *
+                                  static_cast<std::size_t>(height));
+  const auto add = [&](int y, int begin, int end, Verdict verdict) {
+    const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+    for (std::size_t x = row + static_cast<std::size_t>(begin);
+         x < row + static_cast<std::size_t>(end); ++x)
+      worst[x] = std::max(worst[x], static_cast<std::uint8_t>(verdict));
+  };
+  for (const Disagreement& d : result.disagreements)
+    add(d.y, d.x, d.x + 1, verdict_of(d, latitude));
+  for (const CountedDisagreements& counted : result.counted)
+    for (const PixelRun& run : counted.runs)
+      add(run.y, run.begin, run.end, verdict_of(counted, latitude));
+  for (const ValueAggregate& values : result.values)
+    for (const ValueAggregate::Place& place : values.differing)
+      add(place.y, place.x, place.x + 1, verdict_of(values, latitude));
+  std::map<Verdict, std::size_t> counts;
+  for (const std::uint8_t verdict : worst) ++counts[static_cast<Verdict>(verdict)];
+  return counts;
+}
+
 }  // namespace
 
-Verdict verdict_of(const Disagreement& disagreement, Latitude latitude) {
+Verdict verdict_of(const DisagreementClass& disagreement, Latitude latitude) {
   if (latitude == Latitude::none || disagreement.legality == Legality::illegal)
     return Verdict::violation;
   if (disagreement.legality == Legality::contested) return Verdict::contested;
@@ -320,13 +383,17 @@ void count_pixels(Result& result, Latitude latitude) {
   const std::size_t all =
       before.agree + before.convention + before.permitted + before.contested + before.violation;
   if (all == 0) return;
+  std::map<Verdict, std::size_t> found;
+  if (result.counted.empty())
+    for (const JudgedPixel& pixel : judged_pixels(result, latitude)) ++found[pixel.verdict];
+  else
+    found = count_gross(result, latitude);
   PixelCounts& counts = result.pixel_counts = {};
   counts.same = before.same;
-  for (const JudgedPixel& pixel : judged_pixels(result, latitude))
-    ++(pixel.verdict == Verdict::violation   ? counts.violation
-       : pixel.verdict == Verdict::contested ? counts.contested
-       : pixel.verdict == Verdict::permitted ? counts.permitted
-                                             : counts.convention);
+  counts.convention = found[Verdict::convention];
+  counts.permitted = found[Verdict::permitted];
+  counts.contested = found[Verdict::contested];
+  counts.violation = found[Verdict::violation];
   counts.agree = all - counts.convention - counts.permitted - counts.contested - counts.violation;
 }
 

@@ -10,6 +10,11 @@
 // case refutes a fault that explains more. Judging is a function of the results alone, so merged
 // shards are judged like the whole run.
 //
+// Disagreements that are only counted (Result::counted) are judged with those in full: all that is
+// read here of a disagreement is its class, and evidence is of whole primitives, however many of
+// their samples differ. A primitive whose faults are gross may lack a cause of two alternatives
+// (CauseQuestion::is_gross), and is then judged no milder.
+//
 // Both decisions form a RunReading. A run can be read once and its reading used to judge any
 // result, whether it is one of the run or new.
 #pragma once
@@ -61,7 +66,7 @@ std::string judge(std::span<Result* const> results, Latitude latitude);
 // Verdicts on parts of a case: one difference, or each pixel.
 
 // Cause and legality must have been decided. Never `agree`, since something differs.
-Verdict verdict_of(const Disagreement& disagreement, Latitude latitude);
+Verdict verdict_of(const DisagreementClass& disagreement, Latitude latitude);
 Verdict verdict_of(const ValueAggregate& values, Latitude latitude);
 
 // Sorts the counted pixels by verdict; compare() counts all as agreeing. `same` is unchanged.

@@ -12,7 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "diff/add_disagreement.h"
 #include "diff/coverage/legality.h"
+#include "diff/patience.h"
 #include "diff/textures/untold_colors.h"
 #include "diff/values/pixel_values.h"
 #include "diff/values/value_diff.h"
@@ -90,6 +92,7 @@ class AccumulationComparison {
     ValueAggregator means("accumulated color", kRule, kRuling, cause);
     ValueAggregator bytes("accumulated pixel", kBytesRule, kBytesRuling);
     for (int y = 0; y < rendered_.height; ++y) {
+      Patience::check();
       for (int x = 0; x < rendered_.width; ++x) {
         compare_mean({x, y}, cause, means);
         compare_bytes({x, y}, bytes);
@@ -197,7 +200,7 @@ class AccumulationComparison {
         "{} passes show there; it holds ({:.9g}), and ruling {} permits {}",
         fmt::join(d.exact, ", "), rendered_.passes.size(), fmt::join(d.rendered, ", "), kRuling,
         ranges);
-    result_.disagreements.push_back(std::move(d));
+    add_disagreement(result_, std::move(d));
   }
 
   static Unorm8Range bytes_of(double component) {
@@ -236,7 +239,7 @@ class AccumulationComparison {
         "the pixel should hold ({}), the renderer's own accumulated colour ({:.9g}) in 8 bits; it "
         "holds ({})",
         fmt::join(d.exact, ", "), fmt::join(reported_at(first), ", "), fmt::join(d.rendered, ", "));
-    result_.disagreements.push_back(std::move(d));
+    add_disagreement(result_, std::move(d));
   }
 
   const Scene& scene_;

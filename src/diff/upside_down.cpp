@@ -86,8 +86,9 @@ bool is_covered_upside_down(const Rendering& exact, const Rendering& rendered) {
 
 bool breaks_a_ruling(const Result& result) {
   const std::size_t snaps = all_snaps().size();
-  return std::any_of(result.disagreements.begin(), result.disagreements.end(),
-                     [](const Disagreement& d) { return !is_legal(d) && !is_about_a_line(d); }) ||
+  return any_class(
+             result,
+             [](const DisagreementClass& d) { return !is_legal(d) && !is_about_a_line(d); }) ||
          std::any_of(
              result.evidence.begin(), result.evidence.end(),
              [&](const Result::Evidence& e) { return e.illegal_line_snaps.size() == snaps; });
@@ -106,28 +107,30 @@ bool is_noted_upside_down(const Result& result) {
 }
 
 void report_upside_down(Result& result) {
-  for (Disagreement& d : result.disagreements) {
-    if (d.upright) continue;
-    d.upright = Disagreement::Upright{d.rule, d.ruling, d.legality, d.cause};
+  for (Disagreement& d : result.disagreements)
+    if (!d.upright) d.explanation += sentence();
+  for_each_class(result, [](DisagreementClass& d) {
+    if (d.upright) return;
+    d.upright = DisagreementClass::Upright{d.rule, d.ruling, d.legality, d.cause};
     d.rule = kWindowOrigin;
     d.cause = AlternativeId{kWindowOrigin};
     d.ruling = kRulingOnOrigin;
     d.legality = Legality::illegal;
-    d.explanation += sentence();
-  }
+  });
 }
 
 void report_upright(Result& result) {
-  for (Disagreement& d : result.disagreements) {
-    if (!d.upright) continue;
+  for (Disagreement& d : result.disagreements)
+    if (d.upright && d.explanation.ends_with(sentence()))
+      d.explanation.resize(d.explanation.size() - sentence().size());
+  for_each_class(result, [](DisagreementClass& d) {
+    if (!d.upright) return;
     d.rule = d.upright->rule;
     d.ruling = d.upright->ruling;
     d.legality = d.upright->legality;
     d.cause = d.upright->cause;
     d.upright.reset();
-    if (d.explanation.ends_with(sentence()))
-      d.explanation.resize(d.explanation.size() - sentence().size());
-  }
+  });
 }
 
 }  // namespace edgecase

@@ -7,6 +7,7 @@
 // causes explains most). Known faults then decide its standing.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -110,7 +111,11 @@ struct Result : ResultOutline {
     int pass = -1;  // index if the scene is supersampled; otherwise -1
   };
 
-  std::vector<Disagreement> disagreements;  // complete, sorted by pixel, primitive, kind
+  // In full: of gross faults only the first (diff/add_disagreement.h). Sorted by pixel, primitive,
+  // kind.
+  std::vector<Disagreement> disagreements;
+  // The rest. An answer without disagreements in full has none.
+  std::vector<CountedDisagreements> counted;
   std::vector<ValueAggregate> values;
   std::vector<Evidence> evidence;               // of the primitives that have a disagreement
   std::vector<std::string> illegal_line_snaps;  // snaps under which some line is not legal
@@ -130,6 +135,28 @@ struct Result : ResultOutline {
   SampleImage samples;        // the renderer's, if the case is multisampled
   SampleImage exact_samples;  // exact's, if exact_pixels is set
 };
+
+// The number of disagreements, in full or counted.
+inline std::size_t count_disagreements(const Result& result) {
+  std::size_t count = result.disagreements.size();
+  for (const CountedDisagreements& counted : result.counted) count += counted.count();
+  return count;
+}
+
+// Calls `visit` with the class of each disagreement in full, and of the counted ones with each
+// class once.
+template <class ResultOrConst, class Visit>
+void for_each_class(ResultOrConst& result, const Visit& visit) {
+  for (auto& d : result.disagreements) visit(d);
+  for (auto& counted : result.counted) visit(counted);
+}
+
+// True if `condition` is true of the class of a disagreement.
+template <class Condition>
+bool any_class(const Result& result, const Condition& condition) {
+  return std::ranges::any_of(result.disagreements, condition) ||
+         std::ranges::any_of(result.counted, condition);
+}
 
 // True if judging the result takes the whole run, as it does for every difference in coverage.
 // Otherwise the result and the latitude decide (diff/judge.h).

@@ -121,10 +121,8 @@ constexpr Legality by_letter(bool is_allowed) {
   return is_allowed ? Legality::legal : Legality::illegal;
 }
 
-// One fragment or sample on which a renderer differs from exact.
-struct Disagreement {
-  int x = 0;  // pixel column
-  int y = 0;  // pixel row, y up
+// What a disagreement is judged and counted by. Those of one class differ only in where they are.
+struct DisagreementClass {
   // In a multisampled target, the sample's index, or -1 for an invocation or the whole pixel. In a
   // supersampled scene, the pass's index, or -1 for the image of all passes. Otherwise 0.
   int sample = 0;
@@ -134,7 +132,6 @@ struct Disagreement {
   // compare() decides by the wording; judge() separates contested from illegal.
   Legality legality = Legality::illegal;
   Cause cause;                 // empty: no alternatives are found that draw this
-  std::string situation;       // where it lies on the primitive, as text (situation_of)
   int ruling = 0;              // number of the ruling that decided `legality`
   bool policy_agrees = false;  // the policy draws it too: judged against the specification alone
   // Set if the whole answer is reported as upside down (rule window.origin): the report on this
@@ -144,12 +141,40 @@ struct Disagreement {
     int ruling = 0;
     Legality legality = Legality::illegal;
     Cause cause;
+    friend bool operator==(const Upright&, const Upright&) = default;
   };
   std::optional<Upright> upright;
+  friend bool operator==(const DisagreementClass&, const DisagreementClass&) = default;
+};
+
+// One fragment or sample on which a renderer differs from exact, in full.
+struct Disagreement : DisagreementClass {
+  int x = 0;                  // pixel column
+  int y = 0;                  // pixel row, y up
+  std::string situation;      // where it lies on the primitive, as text (situation_of)
   std::vector<double> exact;  // hits (missing, extra, duplicate) or components (value)
   std::vector<double> rendered;
   std::string explanation;  // a sentence with numbers
   Figure figure;            // drawn over this pixel, in addition to the case's figure
+};
+
+// Neighbouring pixels of a row, y up: columns `begin` to `end` - 1.
+struct PixelRun {
+  int y = 0;
+  int begin = 0;
+  int end = 0;
+  friend auto operator<=>(const PixelRun&, const PixelRun&) = default;
+};
+
+// Disagreements of one class that are judged and counted, without a sentence and a figure each.
+struct CountedDisagreements : DisagreementClass {
+  std::vector<PixelRun> runs;  // a pixel as often as it disagrees
+
+  std::size_t count() const {
+    std::size_t pixels = 0;
+    for (const PixelRun& run : runs) pixels += static_cast<std::size_t>(run.end - run.begin);
+    return pixels;
+  }
 };
 
 // All values of one attribute of one case, and how many differ within the specification's limits.
@@ -184,7 +209,7 @@ struct ValueAggregate {
   std::map<int, std::uint64_t> ulp_histogram;  // floor(log2(error in ULP)) -> components
 };
 
-inline bool is_legal(const Disagreement& disagreement) {
+inline bool is_legal(const DisagreementClass& disagreement) {
   return disagreement.legality == Legality::legal;
 }
 

@@ -63,7 +63,8 @@ class Blessing {
   }
 
  private:
-  bool is_accounted(const CaseResults& one, const Result& result, const Disagreement& d) const {
+  bool is_accounted(const CaseResults& one, const Result& result,
+                    const DisagreementClass& d) const {
     return std::ranges::any_of(faults_of(current_, info_), [&](const KnownFault* fault) {
       return accounts_for(*fault, one.id, one.surface, result, d);
     });
@@ -83,7 +84,7 @@ class Blessing {
       const char* kind = name_of(result.failure->kind);
       add(one, result, {RuleId::none, "", kind}, kind);
     }
-    for (const Disagreement& d : result.disagreements)
+    for_each_class(result, [&](const DisagreementClass& d) {
       if (needs_fault(result, d) && !is_accounted(one, result, d))
         if (Gathered* gathered =
                 add(one, result, {d.cause.empty() ? d.rule : RuleId::none, text_of(d.cause), ""},
@@ -91,6 +92,7 @@ class Blessing {
           gathered->cause = d.cause;
           gathered->rules.insert(d.rule);
         }
+    });
   }
 
   // Null if the case is not wanted.

@@ -72,17 +72,6 @@ void carry(Io& io, T& upright) {
   carry_all(io, upright.rule, upright.ruling, upright.legality, upright.cause);
 }
 
-template <class Io, Of<Disagreement> T>
-void carry(Io& io, T& d) {
-  carry_all(io, d.x, d.y, d.sample, d.primitive, d.kind, d.rule, d.legality, d.cause, d.situation,
-            d.ruling, d.policy_agrees, d.upright, d.exact, d.rendered, d.explanation, d.figure);
-}
-
-template <class Io, Of<ValueAggregate::Place> T>
-void carry(Io& io, T& place) {
-  carry_all(io, place.x, place.y, place.primitive);
-}
-
 // A number that is mostly near 0, in few bytes: seven bits each, the lowest first, behind a bit for
 // the sign.
 void write_small(wire::Writer& io, std::int64_t value) {
@@ -101,6 +90,50 @@ std::int64_t read_small(wire::Reader& io) {
     value |= std::uint64_t{byte & 0x7fU} << shift;
   }
   return static_cast<std::int64_t>(value >> 1 ^ (0 - (value & 1)));
+}
+
+// Each run is the distance of its beginning from the end of the run before, and its length.
+void carry_runs(wire::Writer& io, const std::vector<PixelRun>& runs) {
+  io.size(runs.size());
+  PixelRun before;
+  for (const PixelRun& run : runs) {
+    for (const std::int64_t number :
+         {std::int64_t{run.y} - before.y, std::int64_t{run.begin} - before.end,
+          std::int64_t{run.end} - run.begin})
+      write_small(io, number);
+    before = run;
+  }
+}
+void carry_runs(wire::Reader& io, std::vector<PixelRun>& runs) {
+  std::uint64_t count = 0;
+  carry(io, count);
+  runs.reserve(static_cast<std::size_t>(count));
+  PixelRun before;
+  for (; count > 0; --count) {
+    PixelRun run;
+    run.y = before.y + static_cast<int>(read_small(io));
+    run.begin = before.end + static_cast<int>(read_small(io));
+    run.end = run.begin + static_cast<int>(read_small(io));
+    runs.push_back(before = run);
+  }
+}
+
+template <class Io, Of<CountedDisagreements> T>
+void carry(Io& io, T& d) {
+  carry_all(io, d.sample, d.primitive, d.kind, d.rule, d.legality, d.cause, d.ruling,
+            d.policy_agrees, d.upright);
+  carry_runs(io, d.runs);
+}
+
+template <class Io, Of<Disagreement> T>
+void carry(Io& io, T& d) {
+  carry_all(io, d.x, d.y, d.sample, d.primitive, d.kind, d.rule, d.legality, d.cause, d.situation,
+            d.ruling, d.policy_agrees, d.upright, d.exact, d.rendered, d.explanation, d.figure);
+}
+
+template <class Io, Of<ValueAggregate::Place> T>
+void carry(Io& io, T& place) {
+  carry_all(io, place.x, place.y, place.primitive);
 }
 
 // Places of whole scenes are many, and most of them neighbours in a row: each run of these is the
@@ -174,9 +207,9 @@ void carry(Io& io, T& counts) {
 // All but the answer, which the outline has.
 template <class Io, class T>
 void carry_findings(Io& io, T& result, const CaseResults& one) {
-  carry_all(io, result.disagreements, result.values, result.evidence, result.illegal_line_snaps,
-            result.refuted, result.ramp, result.exact_fragments, result.rendered_fragments,
-            result.pixel_counts);
+  carry_all(io, result.disagreements, result.counted, result.values, result.evidence,
+            result.illegal_line_snaps, result.refuted, result.ramp, result.exact_fragments,
+            result.rendered_fragments, result.pixel_counts);
   carry_shared(io, result.exact_pixels, one.pixels);
   carry_shared(io, result.pixels, result.exact_pixels);
   carry_samples(io, result.exact_samples, one.samples);
@@ -214,9 +247,12 @@ std::string head_bytes_of(const CaseResults& one) {
   return bytes;
 }
 
-// Places are few bytes only on the shelf.
+// Places and runs are few bytes only on the shelf.
 std::size_t bytes_of_places(const CaseResults& one) {
   std::size_t bytes = 0;
+  for (const Result& result : one.results)
+    for (const CountedDisagreements& counted : result.counted)
+      bytes += counted.runs.size() * sizeof(PixelRun);
   for (const Result& result : one.results)
     for (const ValueAggregate& values : result.values)
       bytes += values.differing.size() * sizeof(ValueAggregate::Place);

@@ -92,25 +92,54 @@ void read_member(const ReadJson& json, const char* member, Value& value) {
     value = json.at(member).get<Value>();
 }
 
-Disagreement to_disagreement(const ReadJson& json) {
-  Disagreement d;
-  d.x = WholeNumber(json.at("pixel").at(0));
-  d.y = WholeNumber(json.at("pixel").at(1));
+void read_class(const ReadJson& json, DisagreementClass& d) {
   read_member(json, "sample", d.sample);
   read_member(json, "primitive", d.primitive);
   d.kind = to_named<DisagreementKind>(json.at("kind"));
   d.rule = to_rule(json.at("rule"));
   d.legality = to_named<Legality>(json.at("legality"));
   read_member(json, "cause", d.cause, to_cause);
-  read_member(json, "situation", d.situation);
   read_member(json, "policy_agrees", d.policy_agrees);
   read_member(json, "ruling", d.ruling);
   read_member(json, "upright", d.upright, to_upright);
+}
+
+Disagreement to_disagreement(const ReadJson& json) {
+  Disagreement d;
+  read_class(json, d);
+  d.x = WholeNumber(json.at("pixel").at(0));
+  d.y = WholeNumber(json.at("pixel").at(1));
+  read_member(json, "situation", d.situation);
   d.exact = to_numbers(json, "exact");
   d.rendered = to_numbers(json, "rendered");
   read_member(json, "explanation", d.explanation);
   read_member(json, "figure", d.figure, to_figure);
   return d;
+}
+
+// Of a case whose size is known.
+std::vector<CountedDisagreements> to_counted(const ReadJson& json, const CaseResults& one) {
+  return to_list<CountedDisagreements>(json, [&](const ReadJson& item) {
+    CountedDisagreements counted;
+    read_class(item, counted);
+    counted.runs = to_runs(to_text(item.at("pixels")), one.width, one.height);
+    if (counted.runs.empty() ||
+        counted.count() != static_cast<std::size_t>(WholeNumber(item.at("count"))))
+      throw std::runtime_error("the pixels of counted disagreements are not as many as it says");
+    return counted;
+  });
+}
+
+// A byte for each pixel is kept of a target with counted ones (diff/judge.h).
+void check_places(const CaseResults& one, const Result& result) {
+  const auto is_outside = [&](const auto& place) {
+    return place.x < 0 || place.x >= one.width || place.y < 0 || place.y >= one.height;
+  };
+  if (result.disagreements.empty() || std::ranges::any_of(result.disagreements, is_outside))
+    throw std::runtime_error("a disagreement lies outside the target");
+  for (const ValueAggregate& values : result.values)
+    if (std::ranges::any_of(values.differing, is_outside))
+      throw std::runtime_error("a value lies outside the target");
 }
 
 ValueAggregate::Place to_place(const ReadJson& json) {
@@ -224,9 +253,11 @@ void read_judgement(const ReadJson& json, const CaseResults& one, Result& result
   read_member(json, "pixel_counts", result.pixel_counts, to_pixel_counts);
 }
 
-void read_findings(const ReadJson& json, Room& room, Result& result) {
+void read_findings(const ReadJson& json, const CaseResults& one, Room& room, Result& result) {
   read_member(json, "disagreements", result.disagreements,
               [](const ReadJson& list) { return to_list<Disagreement>(list, to_disagreement); });
+  read_member(json, "counted", result.counted,
+              [&](const ReadJson& list) { return to_counted(list, one); });
   const auto to_own_values = [&](const ReadJson& item) { return to_values(item, room); };
   read_member(json, "values", result.values,
               [&](const ReadJson& list) { return to_list<ValueAggregate>(list, to_own_values); });
@@ -246,7 +277,8 @@ void read_findings(const ReadJson& json, Room& room, Result& result) {
 Result to_result(const ReadJson& json, const CaseResults& one, Room& room) {
   Result result;
   read_judgement(json, one, result);
-  read_findings(json, room, result);
+  read_findings(json, one, room, result);
+  if (!result.counted.empty()) check_places(one, result);
   read_pictures(json, one, result);
   return result;
 }

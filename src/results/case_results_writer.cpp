@@ -113,6 +113,7 @@ void CaseWriter::write_judgement(const Result& result) {
 
 void CaseWriter::write_findings(const Result& result) {
   list_unless_empty("disagreements", result.disagreements, write_disagreement);
+  list_unless_empty("counted", result.counted, write_counted);
   list_unless_empty("values", result.values, write_values);
   list_unless_empty("evidence", result.evidence, write_evidence);
   if (!result.illegal_line_snaps.empty())

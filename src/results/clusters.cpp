@@ -198,19 +198,29 @@ class ClusterGatherer::Entries {
 
 namespace {
 
+Key key_of(const DisagreementClass& d, const std::string& situation, const std::string& surface) {
+  Key key;
+  key.cause = text_of(d.cause);
+  key.surface = surface;
+  key.legality = d.legality;
+  if (d.cause.empty()) {
+    key.rule = name_of(d.rule);
+    key.kind = name_of(d.kind);
+    key.situation = situation;
+  }
+  return key;
+}
+
 template <class Entries>
 void gather_disagreements(const Place& place, const Result& result, Entries& gatherer) {
-  for (const Disagreement& d : result.disagreements) {
-    Key key;
-    key.cause = text_of(d.cause);
-    key.surface = place.one->surface;
-    key.legality = d.legality;
-    if (d.cause.empty()) {
-      key.rule = name_of(d.rule);
-      key.kind = name_of(d.kind);
-      key.situation = d.situation;
-    }
-    gatherer.add(key, place, {name_of(d.rule), name_of(d.kind), 1, d.x, d.y, d.primitive});
+  for (const Disagreement& d : result.disagreements)
+    gatherer.add(key_of(d, d.situation, place.one->surface), place,
+                 {name_of(d.rule), name_of(d.kind), 1, d.x, d.y, d.primitive});
+  for (const CountedDisagreements& d : result.counted) {
+    if (d.runs.empty()) continue;
+    const PixelRun& first = d.runs.front();
+    gatherer.add(key_of(d, kSituationOfCounted, place.one->surface), place,
+                 {name_of(d.rule), name_of(d.kind), d.count(), first.begin, first.y, d.primitive});
   }
 }
 

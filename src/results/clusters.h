@@ -6,6 +6,9 @@
 // one cluster per cause, wherever they lie on a primitive. Unexplained ones are grouped by rule,
 // kind and situation ("first pixel, start on the diamond's lower corner"). Each cluster names its
 // smallest case. Different surfaces and legalities are never in one cluster.
+//
+// Disagreements that are only counted (Result::counted) have no situation of their own: unexplained
+// ones form a cluster of their rule and kind, whose situation says so (kSituationOfCounted).
 #pragma once
 
 #include <compare>
@@ -58,6 +61,9 @@ class WorstFirst {
   class Entries;
   std::unique_ptr<Entries> entries_;
 };
+
+// In place of a situation.
+inline constexpr const char* kSituationOfCounted = "of a gross fault, only counted";
 
 struct Cluster {
   std::string rule;                       // id; empty: several, which the cause joins

@@ -97,6 +97,8 @@ class Clusters {
     if (result.failure) count(change, "not-run", name_of(result.failure->kind), 1);
     for (const Disagreement& d : result.disagreements)
       count(change, name_of(d.rule), text_of(d.cause), 1);
+    for (const CountedDisagreements& d : result.counted)
+      count(change, name_of(d.rule), text_of(d.cause), d.count());
     for (const ValueAggregate& values : result.values)
       count(change, name_of(values.rule), text_of(values.cause), values.differing.size());
   }

@@ -155,26 +155,43 @@ void write_upright(JsonWriter& json, const Disagreement::Upright& upright) {
   });
 }
 
+void write_place(JsonWriter& json, const DisagreementClass& d) {
+  if (d.sample != 0) json.member("sample", d.sample);
+  if (d.primitive != -1) json.member("primitive", d.primitive);
+  json.member("kind", name_of(d.kind));
+  json.member("rule", name_of(d.rule));
+  json.member("legality", name_of(d.legality));
+  if (!d.cause.empty()) json.member("cause", text_of(d.cause));
+}
+
+void write_judgement(JsonWriter& json, const DisagreementClass& d) {
+  if (d.policy_agrees) json.member("policy_agrees", true);
+  if (d.ruling != 0) json.member("ruling", d.ruling);
+  if (d.upright) write_upright(json.key("upright"), *d.upright);
+}
+
 }  // namespace
 
 // Members with default values are left out, because a file holds very many of these.
 void write_disagreement(JsonWriter& json, const Disagreement& d) {
   json.object([&] {
     json.key("pixel").array(d.x, d.y);
-    if (d.sample != 0) json.member("sample", d.sample);
-    if (d.primitive != -1) json.member("primitive", d.primitive);
-    json.member("kind", name_of(d.kind));
-    json.member("rule", name_of(d.rule));
-    json.member("legality", name_of(d.legality));
-    if (!d.cause.empty()) json.member("cause", text_of(d.cause));
+    write_place(json, d);
     if (!d.situation.empty()) json.member("situation", d.situation);
-    if (d.policy_agrees) json.member("policy_agrees", true);
-    if (d.ruling != 0) json.member("ruling", d.ruling);
-    if (d.upright) write_upright(json.key("upright"), *d.upright);
+    write_judgement(json, d);
     if (!d.exact.empty()) json.member("exact", d.exact);
     if (!d.rendered.empty()) json.member("rendered", d.rendered);
     if (!d.explanation.empty()) json.member("explanation", d.explanation);
     if (!d.figure.marks.empty()) write_figure(json.key("figure"), d.figure);
+  });
+}
+
+void write_counted(JsonWriter& json, const CountedDisagreements& counted) {
+  json.object([&] {
+    json.member("count", counted.count());
+    write_place(json, counted);
+    write_judgement(json, counted);
+    json.member("pixels", packed_runs(counted.runs));
   });
 }
 

@@ -27,6 +27,9 @@ Figure to_figure(const ReadJson& json);
 double to_number(const ReadJson& json);
 
 void write_disagreement(JsonWriter& json, const Disagreement& disagreement);
+// The same without what only disagreements in full have, with "count" and, as "pixels", its runs
+// (results/packed_text.h).
+void write_counted(JsonWriter& json, const CountedDisagreements& counted);
 void write_evidence(JsonWriter& json, const Result::Evidence& evidence);
 void write_values(JsonWriter& json, const ValueAggregate& values);
 

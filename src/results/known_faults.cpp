@@ -301,7 +301,7 @@ bool is_part(const Cause& part, const Cause& whole) {
 }
 
 // True if the cause is part of one that explains the drawing of the difference's primitive.
-bool is_part_of_candidate(const Cause& part, const Result& result, const Disagreement& d) {
+bool is_part_of_candidate(const Cause& part, const Result& result, const DisagreementClass& d) {
   return std::ranges::any_of(result.evidence, [&](const Result::Evidence& evidence) {
     return evidence.primitive == d.primitive && (evidence.pass < 0 || evidence.pass == d.sample) &&
            std::ranges::any_of(evidence.causes,
@@ -310,7 +310,7 @@ bool is_part_of_candidate(const Cause& part, const Result& result, const Disagre
 }
 
 bool fits_rule_and_cause(const KnownFault& fault, RuleId rule, const Cause& cause,
-                         const Result& result, const Disagreement& d) {
+                         const Result& result, const DisagreementClass& d) {
   if (!fault.rules.empty() && std::ranges::find(fault.rules, rule) == fault.rules.end())
     return false;
   if (!fault.cause) return true;
@@ -368,7 +368,7 @@ bool names_case(const std::string& name, const std::string& id) {
 }
 
 bool accounts_for(const KnownFault& fault, const std::string& id, const std::string& surface,
-                  const Result& result, const Disagreement& d) {
+                  const Result& result, const DisagreementClass& d) {
   if (fault.is_failure() || !fits(fault, id, surface, name_of(d.kind))) return false;
   if (fits_rule_and_cause(fault, d.rule, d.cause, result, d)) return true;
   return d.upright && fits_rule_and_cause(fault, d.upright->rule, d.upright->cause, result, d);

@@ -123,7 +123,7 @@ bool names_case(const std::string& name, const std::string& id);
 // difference's cause or, for coverage, of any cause that explains the primitive: which of these is
 // reported depends on the run.
 bool accounts_for(const KnownFault& fault, const std::string& id, const std::string& surface,
-                  const Result& result, const Disagreement& d);
+                  const Result& result, const DisagreementClass& d);
 bool accounts_for(const KnownFault& fault, const std::string& id, const std::string& surface,
                   const Failure& failure);
 

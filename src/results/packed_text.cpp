@@ -212,6 +212,43 @@ std::vector<Place> to_places(std::string_view text, std::size_t most) {
   return places;
 }
 
+std::string packed_runs(const std::vector<PixelRun>& runs) {
+  std::string text;
+  int row = -1;
+  int next = 0;
+  for (const PixelRun& run : runs) {
+    if (!text.empty()) text += ' ';
+    if (run.y != row || run.begin < next) {
+      append_number(row = run.y, 10, text += 'y');
+      text += ' ';
+      next = 0;
+    }
+    append_number(run.begin - next, 10, text);
+    if (run.end > run.begin + 1) append_number(run.end - run.begin, 10, text += '+');
+    next = run.end;
+  }
+  return text;
+}
+
+std::vector<PixelRun> to_runs(std::string_view text, int width, int height) {
+  std::vector<PixelRun> runs;
+  int row = -1;
+  int next = 0;
+  for (Scanner scanner(text); !scanner.is_at_end(); scanner.separate()) {
+    if (scanner.take('y')) {
+      row = scanner.number<int>(10, kMaxTargetSize - 1);
+      next = 0;
+      continue;
+    }
+    next += scanner.number<int>(10, kMaxTargetSize);
+    const int end = next + scanner.times('+', kMaxTargetSize);
+    if (row < 0 || row >= height || end > width) scanner.refuse();
+    runs.push_back({row, next, end});
+    next = end;
+  }
+  return runs;
+}
+
 namespace {
 
 // A higher level makes results little smaller and takes much longer.

@@ -11,6 +11,9 @@
 // read: by row from the bottom, then by column. "yN" begins row N. "S+N*T" skips S pixels of the
 // row, from the last one named or the row's begin; then N neighbours are named, each T times. "+1"
 // and "*1" are left out.
+//
+// Runs of pixels are the same, without "*T", by row and column; a run that begins before the end of
+// the one before follows a further "yN".
 #pragma once
 
 #include <cstddef>
@@ -46,6 +49,12 @@ std::string packed_places(std::vector<ValueAggregate::Place> places);
 // The inverse, of at most `most` places. Throws std::runtime_error for anything else, and for
 // places beyond the largest target.
 std::vector<ValueAggregate::Place> to_places(std::string_view text, std::size_t most = kMostPlaces);
+
+// `runs` in their order.
+std::string packed_runs(const std::vector<PixelRun>& runs);
+// The inverse, within a target of `width` by `height` pixels. Throws std::runtime_error for
+// anything else.
+std::vector<PixelRun> to_runs(std::string_view text, int width, int height);
 
 // The bytes of a results file: lines of text in one frame of Zstandard (RFC 8878), with a checksum
 // at its end. `zstdcat` shows them.

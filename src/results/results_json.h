@@ -24,9 +24,9 @@
 //
 //   {"case": ID, "head", "fragments", "expect_failures", "pixels", "samples", "figure",
 //    "results": {RENDERER: {"verdict", "fingerprint", "answer_digest", "standing",
-//    "standing_reason", "faults", "again", "failure", "pixel_counts", "disagreements", "values",
-//    "evidence", "illegal_line_snaps", "refuted", "exact_fragments", "rendered_fragments", "ramp",
-//    "pixels", "samples", "exact_pixels", "exact_samples"}}}
+//    "standing_reason", "faults", "again", "failure", "pixel_counts", "disagreements", "counted",
+//    "values", "evidence", "illegal_line_snaps", "refuted", "exact_fragments",
+//    "rendered_fragments", "ramp", "pixels", "samples", "exact_pixels", "exact_samples"}}}
 //
 // "head" is the number, from 0, of an earlier line with the fields that several cases share. Cases
 // of a file are consecutive, with their heads between them:
@@ -50,7 +50,10 @@
 // answer. Its "pixel_counts" are {"agree", "convention", "permitted", "contested",
 // "violation", "same"} (model/result.h), and absent if nothing differs. A disagreement's "upright",
 // present only in answers that are reported as upside down, is {"rule", "ruling", "legality",
-// "cause"} without that (Disagreement::upright). "differing" of values are places
+// "cause"} without that (Disagreement::upright). Of a gross fault "disagreements" are the first,
+// and the rest are "counted": a member for each class of them (CountedDisagreements), with the
+// members of a disagreement that its class has, their number as "count", and their "pixels" as runs
+// (results/packed_text.h). "differing" of values are places
 // (results/packed_text.h), "figure" is one of results/findings_json.h. "exact_fragments" and
 // "rendered_fragments" are what either side makes where they differ (Result::exact_fragments,
 // results/samples_json.h). "ramp" is a list of [x, y, exact, low, high, rendered]: levels of detail

@@ -34,23 +34,26 @@ bool is_forbidden(const ResultOutline& answer) {
 // A difference counts for the first fault of the file that fits.
 Accounted account(const CaseResults& one, const Result& result, Faults faults) {
   Accounted accounted;
-  const auto take = [&](const auto& difference_fits) {
-    ++accounted.differences;
+  const auto take = [&](std::size_t differences, const auto& difference_fits) {
+    accounted.differences += differences;
     const auto found = std::ranges::find_if(faults, difference_fits);
     if (found == faults.end())
-      ++accounted.open;
+      accounted.open += differences;
     else if (std::ranges::find(accounted.by, *found) == accounted.by.end())
       accounted.by.push_back(*found);
   };
   if (result.failure)
-    take([&](const KnownFault* fault) {
+    take(1, [&](const KnownFault* fault) {
       return accounts_for(*fault, one.id, one.surface, *result.failure);
     });
-  for (const Disagreement& d : result.disagreements)
+  const auto take_class = [&](const DisagreementClass& d, std::size_t differences) {
     if (needs_fault(result, d))
-      take([&](const KnownFault* fault) {
+      take(differences, [&](const KnownFault* fault) {
         return accounts_for(*fault, one.id, one.surface, result, d);
       });
+  };
+  for (const Disagreement& d : result.disagreements) take_class(d, 1);
+  for (const CountedDisagreements& counted : result.counted) take_class(counted, counted.count());
   return accounted;
 }
 
@@ -196,7 +199,7 @@ const KnownFaults* faults_about(std::span<const KnownFaults> known, const Render
   return found != known.end() ? &*found : nullptr;
 }
 
-bool needs_fault(const Result& result, const Disagreement& d) {
+bool needs_fault(const Result& result, const DisagreementClass& d) {
   return d.legality == Legality::illegal ||
          (result.verdict == Verdict::contested && d.legality == Legality::contested);
 }
@@ -207,18 +210,17 @@ std::string reason_from(const Result& result) {
   std::set<std::string> rules;
   std::set<std::string> causes;
   std::set<int> broken;
-  for (const Disagreement& d : result.disagreements) {
+  for_each_class(result, [&](const DisagreementClass& d) {
     rules.insert(name_of(d.rule));
     causes.insert(text_of(d.cause));
     if (!is_legal(d)) broken.insert(d.ruling);
-  }
+  });
+  const std::size_t count = count_disagreements(result);
   const bool unexplained = causes.erase("") > 0;
   std::string text;
   if (!rules.empty())
     text = fmt::format("{} by {}",
-                       result.disagreements.size() == 1
-                           ? "one difference"
-                           : fmt::format("{} differences", result.disagreements.size()),
+                       count == 1 ? "one difference" : fmt::format("{} differences", count),
                        fmt::join(rules, ", "));
   if (!broken.empty()) text += fmt::format(", against ruling {}", fmt::join(broken, ", "));
   if (!causes.empty()) text += fmt::format("; it follows {}", fmt::join(causes, " and "));

@@ -40,7 +40,7 @@ bool has_grown(const Results& results);
 const KnownFaults* faults_about(std::span<const KnownFaults> known, const RendererInfo& info);
 
 // True if the difference makes the answer a violation or contested: a fault must account for it.
-bool needs_fault(const Result& result, const Disagreement& d);
+bool needs_fault(const Result& result, const DisagreementClass& d);
 
 // The verdict with the fingerprint: "violation 0123456789abcdef".
 std::string describe(const Judgement& answer);

@@ -87,7 +87,7 @@ bool is_surely_unexpected(const Case& one, const Result& result, Latitude latitu
   if (result.failure)
     return result.failure->kind != FailureKind::unsupported && !is_known(*result.failure);
   if (latitude == Latitude::none) return !result.disagreements.empty() || !result.values.empty();
-  return std::ranges::any_of(result.disagreements, [&](const Disagreement& d) {
+  return any_class(result, [&](const DisagreementClass& d) {
     return !is_legal(d) && !is_about_a_line(d) && legality_against(d.ruling) == Legality::illegal &&
            !is_known(result, d);
   });

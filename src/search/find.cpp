@@ -71,6 +71,7 @@ std::vector<Shown> shown_by(const Scene& scene, const Result& result, Latitude l
     Verdict& worst = found[{std::move(signature), geometry.of(primitive)}];
     worst = std::max(worst, verdict);
   };
+  // Those that are only counted show nothing that those in full do not.
   for (const Disagreement& d : result.disagreements)
     add(signature_of(d, surface), d.primitive, verdict_of(d, latitude));
   for (const ValueAggregate& values : result.values)
@@ -86,8 +87,8 @@ std::string describe(const Result& result) {
   constexpr std::size_t kMost = 4;  // pixels that are listed
   std::string words = name_of(result.verdict);
   if (result.failure) return fmt::format("{}, {}", words, result.failure->reason);
-  const std::size_t count = result.disagreements.size();
-  for (std::size_t i = 0; i < std::min(count, kMost); ++i) {
+  const std::size_t count = count_disagreements(result);
+  for (std::size_t i = 0; i < std::min(result.disagreements.size(), kMost); ++i) {
     const Disagreement& d = result.disagreements[i];
     words += fmt::format(", {} ({}, {})", name_of(d.kind), d.x, d.y);
   }

@@ -65,6 +65,8 @@ std::vector<Signature> signatures_of(const Result& result, Surface surface) {
   gatherer.add(one, result);
   std::vector<Signature> signatures;
   for (const Cluster& cluster : gatherer.take()) {
+    // What is only counted shows nothing that those in full do not.
+    if (cluster.situation == kSituationOfCounted) continue;
     if (cluster.cause.empty() || cluster.legality == Legality::legal)
       signatures.push_back(signature_of(cluster));
     else

@@ -94,6 +94,11 @@ TEST(CaseList, GivesBackPlacesFarApartAndRunsOfNeighbours) {
     ValueAggregate::Place place{number(most), number(most), number(most)};
     for (int length = 1 + i % 4; length > 0; --length, ++place.x) places.push_back(place);
   }
+  std::vector<CountedDisagreements>& counted = one.results[0].counted;
+  counted.resize(1);
+  for (int i = 0; i < 2000; ++i)
+    counted[0].runs.push_back({number(4095), number(4095), number(4095)});
+  EXPECT_EQ(list_of({one})[0].results[0].counted[0].runs, counted[0].runs);
   const auto read = list_of({one})[0].results[0].values[0].differing;
   ASSERT_EQ(read.size(), places.size());
   for (std::size_t i = 0; i < read.size(); ++i)

@@ -112,6 +112,12 @@ void expect_result(const Result& a, const Result& b) {
   ASSERT_EQ(a.disagreements.size(), b.disagreements.size());
   for (std::size_t i = 0; i < a.disagreements.size(); ++i)
     expect_disagreement(a.disagreements[i], b.disagreements[i]);
+  ASSERT_EQ(a.counted.size(), b.counted.size());
+  for (std::size_t i = 0; i < a.counted.size(); ++i) {
+    const CountedDisagreements &c = a.counted[i], &d = b.counted[i];
+    EXPECT_EQ(static_cast<const DisagreementClass&>(c), static_cast<const DisagreementClass&>(d));
+    EXPECT_EQ(c.runs, d.runs);
+  }
   ASSERT_EQ(a.values.size(), b.values.size());
   for (std::size_t i = 0; i < a.values.size(); ++i) expect_values(a.values[i], b.values[i]);
   ASSERT_EQ(a.evidence.size(), b.evidence.size());

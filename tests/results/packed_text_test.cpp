@@ -167,6 +167,16 @@ TEST(PackedText, RefusesPlacesThatNoTargetHas) {
     EXPECT_THROW(to_places(text), std::runtime_error) << text;
 }
 
+TEST(PackedText, ReadsBackRunsInTheirOrder) {
+  const std::vector<PixelRun> runs{{3, 0, 4}, {3, 4, 5}, {3, 2, 9}, {1, 0, 1}, {4095, 4000, 4096}};
+  const std::string text = packed_runs(runs);
+  EXPECT_EQ(text, "y3 0+4 0 y3 2+7 y1 0 y4095 4000+96");
+  EXPECT_EQ(to_runs(text, 4096, 4096), runs);
+  EXPECT_EQ(packed_runs({}), "");
+  for (const char* wrong : {"0", "y0 0+4097", "y0 9", "y8 0", "y0 0+0", "y0 -1", "y0  1", "y0 0*2"})
+    EXPECT_THROW(to_runs(wrong, 8, 8), std::runtime_error) << wrong;
+}
+
 TEST(FigureJson, LeavesOutWhatIsUsual) {
   const auto written = [](const Figure& figure) {
     std::string text;

@@ -51,6 +51,29 @@ TEST(ResultsJson, EveryFieldReadsBack) {
   expect_results(results, read(written(results)));
 }
 
+TEST(ResultsJson, WhatIsOnlyCountedReadsBack) {
+  const Results results = gross_results();
+  const std::string text = written(results);
+  expect_results(results, read(text));
+  EXPECT_NE(text.find(R"("pixels":"y0 7 y2 0+8 y2 3 y5 1+2")"), std::string::npos);
+  EXPECT_EQ(written(read(text)), text);
+}
+
+TEST(ResultsJson, CountedDisagreementsThatNoTargetHasAreRefused) {
+  const std::string text = written(gross_results());
+  for (const auto& [from, to] :
+       std::vector<std::pair<std::string, std::string>>{{R"("count":12)", R"("count":11)"},
+                                                        {"y5 1+2", "y6 1+2"},
+                                                        {"y5 1+2", "y5 7+2"},
+                                                        {R"("pixel":[3,1])", R"("pixel":[8,1])"},
+                                                        {R"("pixel":[3,1])", R"("pixel":[3,-1])"},
+                                                        {R"("pixels":"y4 0")", R"("pixels":"")"}}) {
+    std::string wrong = text;
+    ASSERT_NE(wrong.find(from), std::string::npos) << from;
+    EXPECT_THROW(read(wrong.replace(wrong.find(from), from.size(), to)), std::runtime_error) << to;
+  }
+}
+
 TEST(ResultsJson, EveryNameReadsBack) {
   Results results = results_with({Verdict::agree, Verdict::convention, Verdict::permitted,
                                   Verdict::violation, Verdict::not_run});

@@ -182,6 +182,27 @@ Results full_results() {
   return results;
 }
 
+Results gross_results() {
+  Results results = results_with({Verdict::violation});
+  CaseResults one = results.cases[0];
+  one.width = 8;
+  one.height = 6;
+  one.pixels = std::vector<std::uint8_t>(4 * 8 * 6);
+  Result& result = one.results[0];
+  result.pixels = one.pixels;
+  result.disagreements = {disagreement()};
+  result.counted.resize(2);
+  static_cast<DisagreementClass&>(result.counted[0]) = disagreement();
+  result.counted[0].policy_agrees = true;
+  result.counted[0].runs = {{0, 7, 8}, {2, 0, 8}, {2, 3, 4}, {5, 1, 3}};
+  result.counted[1].rule = RuleId::triangle_fill_rule;
+  result.counted[1].legality = Legality::illegal;
+  result.counted[1].ruling = 4;
+  result.counted[1].runs = {{4, 0, 1}};
+  results.cases.replace(0, one);
+  return results;
+}
+
 Results results_with(const std::vector<Verdict>& verdicts) {
   Results results;
   results.renderers.resize(1);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "diff/coverage/cause.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
 
+#include "diff/patience.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "rules/choices.h"
@@ -30,11 +33,67 @@ bool is_interior_gap(const ScenePrimitive& line, const PrimitiveCoverage& covera
          drawn_where([&](int at) { return at > gap; });
 }
 
+// The samples of a large drawing at one pixel, as they were drawn. To draw one pixel is cheap, and
+// a choice that draws it otherwise does not draw the whole as it was drawn.
+class Witness {
+ public:
+  Witness(const ScenePrimitive& primitive, const SampleCoverage& drawn, PixelPosition pixel)
+      : state_(without_vertices(*primitive.state)), primitive_(primitive) {
+    Viewport box{pixel.x, pixel.y, 1, 1};
+    if (state_.scissor && !pixels_in(*state_.scissor).contains(pixel)) box.width = 0;
+    state_.scissor = box;
+    for (const auto& pixels : drawn) {
+      const auto [first, last] =
+          std::ranges::equal_range(pixels, std::pair(pixel.y, pixel.x), {},
+                                   [](PixelPosition p) { return std::pair(p.y, p.x); });
+      drawn_.emplace_back(first, last);
+    }
+  }
+
+  bool is_drawn_so(const CauseQuestion& question, const CoverageChoice& choice) const {
+    ScenePrimitive primitive = primitive_;
+    primitive.state = &state_;
+    return covered_samples(primitive, question.target, choice, question.reported) == drawn_;
+  }
+
+ private:
+  static Draw without_vertices(const Draw& draw) {
+    Draw copy = draw;
+    copy.vertices.clear();
+    return copy;
+  }
+
+  Draw state_;  // that of the primitive, with the pixel as its scissor rectangle
+  ScenePrimitive primitive_;
+  SampleCoverage drawn_;
+};
+
+// A few of the pixels that differ, if the drawing is large; else none.
+std::vector<Witness> witnesses_of(const CauseQuestion& question,
+                                  const PrimitiveCoverage& coverage) {
+  constexpr std::size_t kLarge = 4096;  // samples: drawing them takes longer than a few pixels do
+  constexpr std::size_t kWitnesses = 8;
+  std::size_t size = 0;
+  for (std::size_t s = 0; s < coverage.exact.size(); ++s)
+    size += coverage.exact[s].size() + coverage.drawn[s].size();
+  if (size < kLarge) return {};
+  std::size_t found = 0;
+  for_each_difference(coverage, [&](const CoverageDifference&) { ++found; });
+  const std::size_t step = std::max<std::size_t>(1, found / kWitnesses);
+  std::vector<Witness> witnesses;
+  std::size_t at = 0;
+  for_each_difference(coverage, [&](const CoverageDifference& difference) {
+    if (at++ % step == step / 2)
+      witnesses.emplace_back(question.primitive, coverage.drawn, difference.pixel);
+  });
+  return witnesses;
+}
+
 // Searches for sets of alternatives that draw a primitive as it was drawn.
 class Search {
  public:
   Search(const CauseQuestion& question, const PrimitiveCoverage& coverage)
-      : question_(question), coverage_(coverage) {
+      : question_(question), coverage_(coverage), witnesses_(witnesses_of(question, coverage)) {
     if (question.profile != nullptr)
       profile_ = coverage_changes_between(question.primitive, question.target, question.chosen,
                                           *question.profile);
@@ -55,10 +114,14 @@ class Search {
 
  private:
   bool reproduces(const Changes& changes) const {
+    Patience::check();
     const RuleChoices choices = applied(changes, question_.chosen);
-    return covered_samples(question_.primitive, question_.target,
-                           choices.of(question_.primitive.kind),
-                           question_.reported) == coverage_.drawn;
+    const CoverageChoice& choice = choices.of(question_.primitive.kind);
+    return std::ranges::all_of(
+               witnesses_,
+               [&](const Witness& witness) { return witness.is_drawn_so(question_, choice); }) &&
+           covered_samples(question_.primitive, question_.target, choice, question_.reported) ==
+               coverage_.drawn;
   }
 
   // `base` with one more alternative, which replaces the one of the same rule if there is one.
@@ -93,6 +156,7 @@ class Search {
         std::erase_if(rule, [](const Change& change) { return !is_open_choice(change.id); });
     if (likely_first)
       if (auto likely = pairs(base, in_profile(rules)); !likely.empty()) return likely;
+    if (question_.is_gross) return found;
     for (Changes& pair : pairs(base, rules)) found.push_back(std::move(pair));
     return found;
   }
@@ -167,6 +231,7 @@ class Search {
 
   const CauseQuestion& question_;
   const PrimitiveCoverage& coverage_;
+  const std::vector<Witness> witnesses_;
   Changes profile_;
 };
 
@@ -179,6 +244,20 @@ std::vector<Cause> find_causes(const CauseQuestion& question, const PrimitiveCov
       is_interior_gap(question.primitive, coverage))
     causes.push_back(kInteriorGap);
   return causes;
+}
+
+std::string swapped_pairs(const CauseQuestion& question, const PrimitiveCoverage& coverage) {
+  CoverageChoice choice = question.chosen.of(question.primitive.kind);
+  std::string pairs;
+  for (const SamplePlacement& placement : placements_of(question.target.samples)) {
+    choice.placement = placement;
+    if (placement.kind == SamplePlacement::Kind::swapped &&
+        covered_samples(question.primitive, question.target, choice, question.reported) ==
+            coverage.drawn)
+      pairs += fmt::format("{}{} and {}", pairs.empty() ? "" : ", or ", placement.first,
+                           placement.second);
+  }
+  return pairs;
 }
 
 Cause cause_in_profile(const CauseQuestion& question, const PrimitiveCoverage& coverage) {
@@ -239,6 +318,7 @@ class Witnesses {
   }
 
   bool draws(const DrawnPrimitive& one, const RuleChoices& choice) const {
+    Patience::check();
     return covered_samples(*one.primitive, question_.target, choice.of(one.primitive->kind),
                            question_.reported) == one.coverage->drawn;
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "diff/coverage/coverage_diff.h"
@@ -26,6 +27,9 @@ struct CauseQuestion {
   SamplePositions reported{};  // sample positions as the renderer reports them
   // Ask the profile's alternatives before others: the same causes, found sooner.
   bool likely_first = true;
+  // More samples differ than are reported in full: two alternatives are asked together only if the
+  // profile has them.
+  bool is_gross = false;
 };
 
 // The smallest sets of alternatives under which the primitive covers exactly `coverage.drawn`, in
@@ -37,6 +41,10 @@ struct CauseQuestion {
 // any set, whose only fault is one fragment missing between others, gets kInteriorGap. Empty:
 // nothing in the catalogue explains it.
 std::vector<Cause> find_causes(const CauseQuestion& question, const PrimitiveCoverage& coverage);
+
+// The pairs of samples that, exchanged, draw the primitive as `coverage.drawn` has it: "0 and 1, or
+// 2 and 3".
+std::string swapped_pairs(const CauseQuestion& question, const PrimitiveCoverage& coverage);
 
 // The profile's differences from the policy, without those that can be left out, if they draw the
 // primitive as `coverage.drawn` has it; else empty.

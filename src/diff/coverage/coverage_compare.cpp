@@ -5,13 +5,19 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
+#include "diff/add_disagreement.h"
 #include "diff/coverage/cause.h"
 #include "diff/coverage/coverage_diff.h"
 #include "diff/coverage/legality.h"
 #include "diff/coverage/neighbour_faults.h"
+#include "diff/coverage/sample_legality.h"
+#include "diff/coverage/shared_edge_blame.h"
+#include "diff/patience.h"
 #include "raster/attributes.h"
 #include "raster/rasterizer.h"
 #include "raster/samples.h"
@@ -78,25 +84,25 @@ class CoverageComparison {
   Point place_of(const ScenePrimitive& primitive, const CoverageDifference& difference) const {
     return place_in(difference.pixel, within(primitive, difference));
   }
-  Disagreement at(const ScenePrimitive& primitive, const CoverageDifference& difference) const {
-    return at_sample(primitive, difference, place_of(primitive, difference), target());
+  // Adds a disagreement of the class; `explain` completes what is not only counted.
+  template <class Explain>
+  void add(const ScenePrimitive& primitive, const CoverageDifference& difference,
+           const DisagreementClass& of, const Explain& explain) {
+    Disagreement* const d = add_disagreement(result_, difference.pixel, of);
+    if (d == nullptr) return;
+    describe_sample(primitive, difference, place_of(primitive, difference), target(), *d);
+    explain(*d);
   }
 
   void compare_with_policy(const ScenePrimitive& primitive) {
     const PrimitiveCoverage& coverage = coverage_of(primitive);
-    const auto found = differences(coverage);
-    const CauseQuestion question = question_about(primitive);
-    if (found.empty()) {
+    CauseQuestion question = question_about(primitive);
+    const std::size_t found = add_differences(primitive);
+    if (found == 0) {
       if (context_.refute) mark_refuted(question, coverage, result_.refuted);
       return;
     }
-    for (const CoverageDifference& difference : found) {
-      if ((difference.drawn > 0) != (difference.exact > 0))
-        result_.disagreements.push_back(disagreement(primitive, difference));
-      if (difference.drawn > 1)
-        result_.disagreements.push_back(
-            duplicate(primitive, difference, place_of(primitive, difference), target()));
-    }
+    question.is_gross = found > kMostInFull;
     Result::Evidence evidence;
     evidence.primitive = primitive.index;
     evidence.causes = find_causes(question, coverage);
@@ -107,21 +113,28 @@ class CoverageComparison {
     result_.evidence.push_back(std::move(evidence));
   }
 
+  // Adds what differs from the policy. Returns how many samples do.
+  std::size_t add_differences(const ScenePrimitive& primitive) {
+    std::optional<SampleJudge> judge;  // most primitives need none
+    std::size_t found = 0;
+    Patience::check();
+    for_each_difference(coverage_of(primitive), [&](const CoverageDifference& difference) {
+      if (found++ == 0) judge.emplace(primitive, terms_of(primitive));
+      if ((difference.drawn > 0) != (difference.exact > 0)) add(primitive, difference, *judge);
+      if (difference.drawn > 1)
+        add(primitive, difference, class_of_duplicate(primitive, difference), [&](Disagreement& d) {
+          explain_duplicate(difference, place_of(primitive, difference), target(), d);
+        });
+    });
+    return found;
+  }
+
   // Names the exchanged samples, since all pairs share one name.
   void note_swapped(const ScenePrimitive& primitive, const std::vector<Cause>& causes) {
     const AlternativeId swapped =
         alternative_id(RuleId::sample_positions, name_of(SamplePlacement::Kind::swapped));
     if (std::ranges::find(causes, Cause(swapped)) == causes.end()) return;
-    CoverageChoice choice = context_.choices.of(primitive.kind);
-    std::string pairs;
-    for (const SamplePlacement& placement : placements_of(target().samples)) {
-      choice.placement = placement;
-      if (placement.kind == SamplePlacement::Kind::swapped &&
-          covered_samples(primitive, target(), choice, context_.reported) ==
-              coverage_of(primitive).drawn)
-        pairs += fmt::format("{}{} and {}", pairs.empty() ? "" : ", or ", placement.first,
-                             placement.second);
-    }
+    const std::string pairs = swapped_pairs(question_about(primitive), coverage_of(primitive));
     for (Disagreement& d : result_.disagreements)
       if (d.primitive == primitive.index && d.kind != DisagreementKind::value && !d.policy_agrees)
         d.explanation += fmt::format(" With samples {} exchanged, exact draws the same.", pairs);
@@ -146,37 +159,30 @@ class CoverageComparison {
     return left == coverage_of(primitive).drawn;
   }
 
-  Disagreement disagreement(const ScenePrimitive& primitive,
-                            const CoverageDifference& difference) const {
-    Disagreement d = at(primitive, difference);
-    Explanation why =
-        explain(primitive, place_in(difference.pixel, within(primitive, difference, chosen_)),
-                target(), context_.choices.of(primitive.kind));
-    d.explanation = fmt::format(
-        "{} {}: {}; exact {} {}, the renderer {}.", name_of(primitive.kind), primitive.index,
-        why.text, difference.exact > 0 ? "draws" : "does not draw",
-        target().samples > 1 ? fmt::format("sample {}", difference.sample) : "the pixel",
-        difference.drawn > 0 ? "draws it" : "does not");
-    d.figure = std::move(why.figure);
+  void add(const ScenePrimitive& primitive, const CoverageDifference& difference,
+           SampleJudge& judge) {
+    DisagreementClass of = class_of(primitive, difference, target());
     // Rulings on lines are about whole segments: judge_line and judge() complete these.
-    if (is_line(primitive) && difference.sample == 0) return d;
-    const CoverageLegality legality = judge(primitive, difference);
-    d.legality = by_letter(legality.legal);
-    d.rule = legality.rule;
-    d.ruling = legality.ruling;
-    d.explanation += fmt::format(" Ruling {}: {}.", legality.ruling, legality.reason);
-    return d;
+    const bool is_of_line = is_line(primitive) && difference.sample == 0;
+    const Point at = within(primitive, difference);
+    if (!is_of_line) {
+      const CoverageLegality legality = judge.decide(difference, at);
+      of.legality = by_letter(legality.legal);
+      of.rule = legality.rule;
+      of.ruling = legality.ruling;
+    }
+    add(primitive, difference, of, [&](Disagreement& d) {
+      explain_difference(primitive, difference,
+                         place_in(difference.pixel, within(primitive, difference, chosen_)),
+                         target(), context_.choices.of(primitive.kind), d);
+      if (is_of_line) return;
+      const CoverageLegality legality = judge.explain(difference, at);
+      d.explanation += fmt::format(" Ruling {}: {}.", legality.ruling, legality.reason);
+    });
   }
 
-  CoverageLegality judge(const ScenePrimitive& primitive,
-                         const CoverageDifference& difference) const {
-    CoverageLegality legality = judge_sample(primitive, difference, within(primitive, difference),
-                                             context_.bits, context_.sizes);
-    if (!legality.legal)
-      contest(primitive, difference, {is_multisampled(primitive), context_.bits, context_.sizes},
-              legality);
-    return judge_facing(primitive, difference, is_missing(primitive), std::move(legality),
-                        context_.bits);
+  SampleTerms terms_of(const ScenePrimitive& primitive) const {
+    return {context_.bits, context_.sizes, is_multisampled(primitive), is_missing(primitive)};
   }
 
   // True if nothing of the primitive was drawn.
@@ -185,38 +191,50 @@ class CoverageComparison {
                                [](const auto& pixels) { return pixels.empty(); });
   }
 
-  // Differences between the specification's own choice and the renderer where the policy agrees
-  // with the renderer.
-  std::vector<CoverageDifference> excused_by_policy(const ScenePrimitive& primitive) const {
+  // Differences between the specification's own choice and the renderer.
+  const std::vector<CoverageDifference>& differences_from_standard(
+      const ScenePrimitive& primitive) {
+    const auto [known, is_new] = from_standard_.try_emplace(primitive.index);
+    if (!is_new) return known->second;
     const CoverageChoice& standard = standard_.of(primitive.kind);
-    if (!is_multisampled(primitive) && standard == context_.choices.of(primitive.kind)) return {};
     const PrimitiveCoverage& coverage = coverage_of(primitive);
-    const auto own = covered_samples(primitive, target(), standard, context_.reported);
-    if (own == coverage.exact) return {};
-    auto found = differences({own, coverage.drawn});
+    if (is_multisampled(primitive) || standard != context_.choices.of(primitive.kind))
+      if (const auto own = covered_samples(primitive, target(), standard, context_.reported);
+          own != coverage.exact)
+        known->second = differences({own, coverage.drawn});
+    return known->second;
+  }
+
+  // Those of them where the policy agrees with the renderer, and that are not reported yet.
+  std::vector<CoverageDifference> excused_by_policy(const ScenePrimitive& primitive) {
+    std::vector<CoverageDifference> found = differences_from_standard(primitive);
+    if (found.empty()) return found;
+    std::set<SamplePlace> reported = excused_[primitive.index];
+    for_each_difference(coverage_of(primitive), [&](const CoverageDifference& difference) {
+      reported.insert(sample_place(difference));
+    });
     std::erase_if(found, [&](const CoverageDifference& difference) {
-      return std::ranges::any_of(result_.disagreements, [&](const Disagreement& d) {
-        return d.primitive == primitive.index && d.x == difference.pixel.x &&
-               d.y == difference.pixel.y && d.sample == difference.sample;
-      });
+      return reported.contains(sample_place(difference));
     });
     return found;
   }
 
   void add_excused(const ScenePrimitive& primitive, const CoverageDifference& difference,
                    const CoverageLegality& why) {
-    Disagreement d = at(primitive, difference);
-    d.policy_agrees = true;
-    d.rule = why.rule;
-    d.ruling = why.ruling;
-    Explanation explanation =
-        explain(primitive, place_of(primitive, difference), target(), standard_.of(primitive.kind));
-    d.explanation = fmt::format(
-        "{} {}: {}. The policy has it as the renderer does. Ruling {} does not allow it: {}.",
-        name_of(primitive.kind), primitive.index, explanation.text, why.ruling, why.reason);
-    d.figure = std::move(explanation.figure);
-    d.cause = cause_of_excused(primitive);
-    result_.disagreements.push_back(std::move(d));
+    DisagreementClass of = class_of(primitive, difference, target());
+    of.policy_agrees = true;
+    of.rule = why.rule;
+    of.ruling = why.ruling;
+    of.cause = cause_of_excused(primitive);
+    excused_[primitive.index].insert(sample_place(difference));
+    add(primitive, difference, of, [&](Disagreement& d) {
+      Explanation explanation = explain(primitive, place_of(primitive, difference), target(),
+                                        standard_.of(primitive.kind));
+      d.explanation = fmt::format(
+          "{} {}: {}. The policy has it as the renderer does. Ruling {} does not allow it: {}.",
+          name_of(primitive.kind), primitive.index, explanation.text, why.ruling, why.reason);
+      d.figure = std::move(explanation.figure);
+    });
   }
 
   // The policy's alternatives that draw the primitive so; if primitives elsewhere are drawn
@@ -235,10 +253,12 @@ class CoverageComparison {
 
   void compare_samples_with_specification(const ScenePrimitive& primitive) {
     if (is_line(primitive)) return;
-    for (const CoverageDifference& difference : excused_by_policy(primitive)) {
-      const CoverageLegality legality = judge(primitive, difference);
-      if (!legality.legal) add_excused(primitive, difference, legality);
-    }
+    const std::vector<CoverageDifference> excused = excused_by_policy(primitive);
+    if (excused.empty()) return;
+    SampleJudge judge(primitive, terms_of(primitive));
+    for (const CoverageDifference& difference : excused)
+      if (const Point at = within(primitive, difference); !judge.decide(difference, at).legal)
+        add_excused(primitive, difference, judge.explain(difference, at));
   }
 
   Result::Evidence* evidence_of(const ScenePrimitive& primitive) {
@@ -270,12 +290,14 @@ class CoverageComparison {
 
   void say_of_line(const ScenePrimitive& line, RuleId rule, int ruling,
                    const std::string& sentence) {
-    for (Disagreement& d : result_.disagreements) {
-      if (d.primitive != line.index || !is_about_a_line(d) || d.policy_agrees) continue;
-      d.rule = rule;
-      d.ruling = ruling;
-      d.explanation += " " + sentence;
-    }
+    const auto is_of_line = [&](const DisagreementClass& d) {
+      return d.primitive == line.index && is_about_a_line(d) && !d.policy_agrees;
+    };
+    for (Disagreement& d : result_.disagreements)
+      if (is_of_line(d)) d.explanation += " " + sentence;
+    for_each_class(result_, [&](DisagreementClass& d) {
+      if (is_of_line(d)) std::tie(d.rule, d.ruling) = std::pair(rule, ruling);
+    });
   }
 
   void judge_line(const ScenePrimitive& line) {
@@ -305,11 +327,10 @@ class CoverageComparison {
   // True if what was drawn of a point, a triangle or a multisampled line breaks a ruling. The run
   // decides this for other lines.
   bool breaks_a_ruling(const ScenePrimitive& primitive) const {
-    return !is_line(primitive) &&
-           std::ranges::any_of(result_.disagreements, [&](const Disagreement& d) {
-             return d.primitive == primitive.index && d.kind != DisagreementKind::value &&
-                    !is_legal(d) && !d.policy_agrees;
-           });
+    return !is_line(primitive) && any_class(result_, [&](const DisagreementClass& d) {
+      return d.primitive == primitive.index && d.kind != DisagreementKind::value && !is_legal(d) &&
+             !d.policy_agrees;
+    });
   }
 
   // The other primitives of the same draw, and primitives of other draws with which this one breaks
@@ -339,6 +360,7 @@ class CoverageComparison {
   Partners judge_shared_edges() {
     Partners partners;
     if (exact_fills_by_rule() && result_.evidence.empty()) return partners;
+    SharedEdgeBlame blame(result_);
     for (const SharedEdgeFault& fault :
          shared_edge_faults(context_.primitives, context_.coverage, scene(), context_.bits, lawful_,
                             exact_fills_by_rule())) {
@@ -348,45 +370,24 @@ class CoverageComparison {
           "triangles {} and {} share the edge here and together hit this sample {} times instead "
           "of once",
           fault.first, fault.second, fault.hits);
-      if (blame(fault, reason) || context_.latitude != Latitude::opengl) continue;
+      if (blame.add(fault, reason) || context_.latitude != Latitude::opengl) continue;
       const CoverageLegality broken{false, ruling_on(fault), RuleId::triangle_shared_edge, reason};
       for (int index : {fault.first, fault.second})
         for (const CoverageDifference& difference : excused_by_policy(primitive_at(index)))
           if (difference.pixel == fault.pixel && difference.sample == fault.sample)
             add_excused(primitive_at(index), difference, broken);
     }
+    blame.finish();
     return partners;
-  }
-
-  static int ruling_on(const SharedEdgeFault& fault) {
-    return fault.is_certain ? 5 : kRulingOnOtherPlaces;
-  }
-
-  // Turns the disagreements of both triangles at the pixel into violations; false if there are
-  // none. A triangle that breaks a ruling by itself keeps that ruling, unless it is contested.
-  bool blame(const SharedEdgeFault& fault, const std::string& reason) {
-    bool found = false;
-    for (Disagreement& d : result_.disagreements) {
-      const bool concerned = d.x == fault.pixel.x && d.y == fault.pixel.y &&
-                             d.sample == fault.sample &&
-                             (d.primitive == fault.first || d.primitive == fault.second);
-      if (!concerned ||
-          (d.rule != RuleId::triangle_fill_rule && d.rule != RuleId::triangle_shared_edge))
-        continue;
-      found = true;
-      if (fault.is_certain || is_legal(d)) d.ruling = ruling_on(fault);
-      d.legality = Legality::illegal;
-      d.rule = RuleId::triangle_shared_edge;
-      d.explanation += fmt::format(" Ruling {}: {}.", ruling_on(fault), reason);
-    }
-    return found;
   }
 
   const CoverageContext& context_;
   const RuleChoices& standard_;
-  const SamplePositions lawful_;         // of samples, as reported
-  const SamplePositions chosen_;         // of samples, under the policy
-  std::map<int, Cause> excused_causes_;  // by primitive
+  const SamplePositions lawful_;                                  // of samples, as reported
+  const SamplePositions chosen_;                                  // of samples, under the policy
+  std::map<int, Cause> excused_causes_;                           // by primitive
+  std::map<int, std::vector<CoverageDifference>> from_standard_;  // by primitive
+  std::map<int, std::set<SamplePlace>> excused_;                  // by primitive
   Result& result_;
 };
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -44,21 +43,6 @@ void add_side(const Rendering& rendering, SampleCoverage PrimitiveCoverage::*sid
     add(f, result[static_cast<std::size_t>(f.primitive)].*side);
 }
 
-std::vector<CoverageDifference> differences(const std::vector<PixelPosition>& exact,
-                                            const std::vector<PixelPosition>& drawn, int sample) {
-  // Keyed by row, then column: the order of the result.
-  std::map<std::pair<int, int>, CoverageDifference> hits;
-  const auto entry_of = [&](PixelPosition p) -> CoverageDifference& {
-    return hits.try_emplace({p.y, p.x}, CoverageDifference{p, sample}).first->second;
-  };
-  for (PixelPosition p : exact) ++entry_of(p).exact;
-  for (PixelPosition p : drawn) ++entry_of(p).drawn;
-  std::vector<CoverageDifference> result;
-  for (const auto& [key, entry] : hits)
-    if (entry.exact != entry.drawn) result.push_back(entry);
-  return result;
-}
-
 }  // namespace
 
 std::vector<PrimitiveCoverage> match_coverage(std::size_t primitives, const Rendering& exact,
@@ -77,45 +61,61 @@ std::vector<PrimitiveCoverage> match_coverage(std::size_t primitives, const Rend
 
 std::vector<CoverageDifference> differences(const PrimitiveCoverage& coverage) {
   std::vector<CoverageDifference> result;
-  for (std::size_t s = 0; s < coverage.exact.size(); ++s) {
-    // The usual case; comparing is much cheaper than counting.
-    if (coverage.exact[s] == coverage.drawn[s]) continue;
-    const auto found = differences(coverage.exact[s], coverage.drawn[s], static_cast<int>(s));
-    result.insert(result.end(), found.begin(), found.end());
-  }
+  for_each_difference(coverage,
+                      [&](const CoverageDifference& difference) { result.push_back(difference); });
   return result;
 }
 
 // -------------------------------------------------------------------------------- what is reported
 
-Disagreement at_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                       Point sample, const Target& target) {
-  Disagreement d;
-  d.x = difference.pixel.x;
-  d.y = difference.pixel.y;
-  d.sample = difference.sample;
-  d.primitive = primitive.index;
-  d.exact = {static_cast<double>(difference.exact)};
-  d.rendered = {static_cast<double>(difference.drawn)};
-  d.kind =
+DisagreementClass class_of(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                           const Target& target) {
+  DisagreementClass of;
+  of.sample = difference.sample;
+  of.primitive = primitive.index;
+  of.kind =
       difference.drawn < difference.exact ? DisagreementKind::missing : DisagreementKind::extra;
-  d.rule = rule_on_coverage(primitive, target);
-  d.situation = situation_of(primitive, sample, target);
-  return d;
+  of.rule = rule_on_coverage(primitive, target);
+  return of;
 }
 
-Disagreement duplicate(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                       Point sample, const Target& target) {
-  Disagreement d = at_sample(primitive, difference, sample, target);
-  d.kind = DisagreementKind::duplicate;
-  d.rule = RuleId::fragment_once;
-  d.ruling = 7;
+DisagreementClass class_of_duplicate(const ScenePrimitive& primitive,
+                                     const CoverageDifference& difference) {
+  DisagreementClass of;
+  of.sample = difference.sample;
+  of.primitive = primitive.index;
+  of.kind = DisagreementKind::duplicate;
+  of.rule = RuleId::fragment_once;
+  of.ruling = 7;
+  return of;
+}
+
+void describe_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                     Point sample, const Target& target, Disagreement& d) {
+  d.exact = {static_cast<double>(difference.exact)};
+  d.rendered = {static_cast<double>(difference.drawn)};
+  d.situation = situation_of(primitive, sample, target);
+}
+
+void explain_difference(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                        Point sample, const Target& target, const CoverageChoice& choice,
+                        Disagreement& d) {
+  Explanation why = explain(primitive, sample, target, choice);
+  d.explanation =
+      fmt::format("{} {}: {}; exact {} {}, the renderer {}.", name_of(primitive.kind),
+                  primitive.index, why.text, difference.exact > 0 ? "draws" : "does not draw",
+                  target.samples > 1 ? fmt::format("sample {}", difference.sample) : "the pixel",
+                  difference.drawn > 0 ? "draws it" : "does not");
+  d.figure = std::move(why.figure);
+}
+
+void explain_duplicate(const CoverageDifference& difference, Point sample, const Target& target,
+                       Disagreement& d) {
   d.explanation = fmt::format(
       "primitive {} produces the fragment of {}pixel ({}, {}) {} times. Ruling 7: once at most.",
-      primitive.index, target.samples > 1 ? fmt::format("sample {} of ", d.sample) : "", d.x, d.y,
+      d.primitive, target.samples > 1 ? fmt::format("sample {} of ", d.sample) : "", d.x, d.y,
       difference.drawn);
   d.figure.marks = {sample_mark(sample)};
-  return d;
 }
 
 void merge_snaps(const std::vector<std::string>& more, std::vector<std::string>& names) {

@@ -33,33 +33,8 @@ struct CoverageLegality {
   std::string reason;  // the reason, one clause
 };
 
-// Points, triangles and multisampled lines: judges one `difference` by itself. `within`: the
-// sample's position in its pixel. `sizes`: those that the renderer supports.
-CoverageLegality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                              Point within, int bits, const SupportedSizes& sizes = {});
-
-// Judges triangles of draws that cull, whose facing may be the cause of the difference (ruling 40).
-// `whole`: nothing of the triangle was drawn. `otherwise`: the result of judge_sample.
-CoverageLegality judge_facing(const ScenePrimitive& primitive, const CoverageDifference& difference,
-                              bool whole, CoverageLegality otherwise, int bits);
-
-// The ruling on coverage at other positions than reported, and the one on fragments of points and
-// lines that are left out beyond the viewport's sides.
-inline constexpr int kRulingOnOtherPlaces = 47;
+// The ruling on fragments of points and lines that are left out beyond the viewport's sides.
 inline constexpr int kRulingOnViewport = 54;
-
-// Differences that judge_sample forbids and one of these rulings contests: the ruling becomes
-// theirs. For multisampled draws, the points at which coverage is found are not reported, and may
-// lie outside the pixel (14.3.1): ruling 47 is broken if a sample elsewhere in the pixel, or less
-// than a pixel outside it, would be covered, or not, as the difference has it.
-struct ContestTerms {
-  bool is_multisampled = false;
-  int bits = 4;
-  const SupportedSizes& sizes;
-};
-void contest(const ScenePrimitive& primitive, const CoverageDifference& difference,
-             const ContestTerms& terms, CoverageLegality& legality);
-
 // The ruling on wide lines drawn as wide as the next smaller integer.
 inline constexpr int kRulingOnSmallerWidth = 56;
 // The ruling on a single fragment of a line for which the diamond-exit rule has none.
@@ -83,6 +58,6 @@ std::string broken_clause_unsnapped(const ScenePrimitive& line,
 int ruling_on_line(const ScenePrimitive& line, const Scene& scene);
 
 // True if the rulings on lines, which are about whole segments, decide the disagreement.
-bool is_about_a_line(const Disagreement& disagreement);
+bool is_about_a_line(const DisagreementClass& disagreement);
 
 }  // namespace edgecase

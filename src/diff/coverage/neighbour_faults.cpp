@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "diff/coverage/vertex_latitude.h"
+#include "diff/patience.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/line_joints.h"
@@ -222,6 +223,7 @@ void add_faults(const SharedSide& side, int first, int second, int sample, Point
     return count(drawn[static_cast<std::size_t>(sample)], p);
   };
   for (int y = side.near.y_min; y <= side.near.y_max; ++y) {
+    Patience::check();
     for (int x = side.near.x_min; x <= side.near.x_max; ++x) {
       const long hits = hits_of(first, {x, y}) + hits_of(second, {x, y});
       if (hits == 1 || !must_hit_once(side.edge, place_in({x, y}, within), side.reach)) continue;

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "diff/patience.h"
 #include "raster/coverage_stages.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
@@ -310,6 +311,7 @@ void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& covera
   const auto shape = plain_shape(question.primitive, question.target);
   KnownShape* const known = shape ? &list.known(*shape) : nullptr;
   for (std::size_t i = 0; i < list.changes.size(); ++i) {
+    Patience::check();
     const auto& [id, choice] = list.changes[i];
     if (refuted.contains(id) || draw_so.contains(id)) continue;
     std::optional<bool> unknown;

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "diff/add_disagreement.h"
 #include "diff/output/operations_causes.h"
 #include "diff/output/operations_question.h"
+#include "diff/patience.h"
 #include "rules/all_rules.h"
 #include "rules/values/framebuffer.h"
 
@@ -32,6 +34,7 @@ void for_each_sample(const ValueContext& context, const Arrivals& arrivals,
   // Fragments are sorted by row, column and primitive, so they are read along with the pixels.
   auto next = rendered.fragments.begin();
   for (int y = 0; y < rendered.height; ++y) {
+    Patience::check();
     for (int x = 0; x < rendered.width; ++x) {
       const auto first = next;
       while (next != rendered.fragments.end() && next->x == x && next->y == y) ++next;
@@ -105,7 +108,7 @@ class OperationsComparison {
           question, alternative_id(RuleId::depth_test, name_of(DepthTestMethod::unconverted)),
           chosen_);
       d.ruling = kRulingOnUnconverted;
-      result.disagreements.push_back(std::move(d));
+      add_disagreement(result, std::move(d));
     }
   }
 
@@ -134,7 +137,7 @@ class OperationsComparison {
       contest(questions[i], d);
       d.policy_agrees = &questions == &excused_;
       if (d.policy_agrees) d.explanation += ". The policy has it as the renderer does";
-      result.disagreements.push_back(std::move(d));
+      add_disagreement(result, std::move(d));
     }
   }
 

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "diff/add_disagreement.h"
 #include "diff/samples/sample_values.h"
 #include "diff/values/pixel_values.h"
 #include "diff/values/sample_writers.h"
@@ -142,7 +143,7 @@ class HitComparison {
         "an alpha of {:.9g} is {:.9g} of {} samples; a fragment that covers all of them kept {}",
         one.alpha, d.exact[0], rendered_.samples, one.kept);
     d.cause = cause_;
-    result.disagreements.push_back(std::move(d));
+    add_disagreement(result, std::move(d));
   }
 
   void report_two_masks(PixelPosition pixel, std::span<const Fragment> fragments, int sample,
@@ -155,7 +156,7 @@ class HitComparison {
         "{} fragments of the pixel have the same alpha, {:.9g}, and cover all samples; {} of them "
         "wrote sample {}",
         fragments.size(), fragments.front().color[3], hits, sample);
-    result.disagreements.push_back(std::move(d));
+    add_disagreement(result, std::move(d));
   }
 
   // How often a sample is written under a choice, by the renderer's own fragments.
@@ -246,7 +247,7 @@ class HitComparison {
     for (const MultisampleSwitch choice : switches_beside(context_, fragments))
       if (d.cause.empty() && writes(fragments, sample, chosen_, choice) == hits)
         d.cause = cause_of(choice);
-    result.disagreements.push_back(std::move(d));
+    add_disagreement(result, std::move(d));
   }
 
   const ValueContext& context_;

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "diff/add_disagreement.h"
 #include "diff/output/operations_compare.h"
+#include "diff/patience.h"
 #include "diff/samples/sample_values.h"
 #include "diff/values/pixel_values.h"
 #include "raster/samples.h"
@@ -35,6 +38,7 @@ class Inference {
       for (int x = 0; x < rendered_.width; ++x) {
         const auto first = next;
         while (next != rendered_.fragments.end() && next->x == x && next->y == y) ++next;
+        truths_.clear();
         for (int sample = 0; sample < rendered_.samples; ++sample) {
           const std::size_t index = rendered_.sample_index(x, y, sample);
           set(4 * index, writers({first, next}, sample, index), sample);
@@ -78,12 +82,21 @@ class Inference {
     return found != writers.end() ? *found : writers.front();
   }
 
+  // Samples of a pixel mostly have the same writers.
+  const PixelTruth& truth_of(const Fragment* writer) {
+    Patience::check();
+    const auto [known, is_new] = truths_.try_emplace(writer);
+    if (is_new)
+      known->second =
+          writer != nullptr ? truth_of_fragment(context_, *writer) : truth_of_clear(context_.scene);
+    return known->second;
+  }
+
   void set(std::size_t index, const Writers& writers, int sample) {
     const Fragment* const nearest = likely(writers, sample);
     for (std::size_t c = 0; c < 4; ++c) planes_.low[index + c] = 255;
     for (const Fragment* writer : writers) {
-      const PixelTruth truth =
-          writer != nullptr ? truth_of_fragment(context_, *writer) : truth_of_clear(context_.scene);
+      const PixelTruth& truth = truth_of(writer);
       for (std::size_t c = 0; c < 4; ++c) {
         const Unorm8Range range = unorm8_permitted(accepted(truth, c));
         std::uint8_t& low = planes_.low[index + c];
@@ -98,6 +111,7 @@ class Inference {
   const ValueContext& context_;
   const Rendering& rendered_;
   const AlphaEnds ends_;
+  std::map<const Fragment*, PixelTruth> truths_;  // of one pixel
   SamplePlanes planes_;
 };
 
@@ -224,7 +238,7 @@ class InvocationComparison {
         "the shader runs {} times for the {} samples that primitive {} covers of the pixel; at "
         "least {} are asked for",
         one.count, one.samples(), one.primitive, least(one));
-    result.disagreements.push_back(std::move(d));
+    add_disagreement(result, std::move(d));
   }
 
   const ValueContext& context_;

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "diff/add_disagreement.h"
 #include "diff/values/pixel_values.h"
 #include "diff/values/sample_writers.h"
 #include "rules/samples/resolve.h"
@@ -179,7 +180,7 @@ class ResolveComparison {
         "renderer's own samples {} {}",
         fmt::join(d.exact, ", "), rendered_.samples, fmt::join(d.rendered, ", "),
         are_reported_ ? "are" : "are, by its fragments,", ranges);
-    result.disagreements.push_back(std::move(d));
+    add_disagreement(result, std::move(d));
   }
 
   const ValueContext& context_;

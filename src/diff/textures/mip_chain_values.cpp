@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "diff/add_disagreement.h"
 #include "diff/textures/texture_lookups.h"
 #include "exact/interval.h"
 #include "rules/all_rules.h"
@@ -158,7 +159,7 @@ void report_sizes(const ReportedChain& chain, bool legal, Result& result) {
   d.rendered = {static_cast<double>(chain.reported.size())};
   d.explanation = fmt::format("texture {} has the levels {}; the renderer made {}", chain.texture,
                               sizes_of(chain.exact), sizes_of(chain.reported));
-  result.disagreements.push_back(std::move(d));
+  add_disagreement(result, std::move(d));
 }
 
 // Level 0 is given by the scene; nothing generates it.
@@ -174,7 +175,7 @@ void report_base(const ReportedChain& chain, Result& result) {
         fmt::format("level 0 of texture {} is not what was given: texel {} has {:.9g} for {:.9g}",
                     chain.texture, i / 4, d.rendered[0], d.exact[0]);
   }
-  result.disagreements.push_back(std::move(d));
+  add_disagreement(result, std::move(d));
 }
 
 // The least and the largest number of one component in a level; everything if one is NaN or
@@ -247,7 +248,7 @@ void report_stray(const ReportedChain& chain, const StrayTexel& stray, Result& r
   d.explanation = fmt::format("level {} of texture {}: texel {} has a {} of {:.9g}, and {}",
                               stray.level, chain.texture, stray.texel, kComponents[stray.component],
                               d.rendered[0], of_above);
-  result.disagreements.push_back(std::move(d));
+  add_disagreement(result, std::move(d));
 }
 
 void report_way(const ReportedChain& chain, const Cause& way, Result& result) {
@@ -258,7 +259,7 @@ void report_way(const ReportedChain& chain, const Cause& way, Result& result) {
   d.rendered = {static_cast<double>(chain.reported.size())};
   d.explanation =
       fmt::format("the levels of texture {} are what {} makes", chain.texture, text_of(way));
-  result.disagreements.push_back(std::move(d));
+  add_disagreement(result, std::move(d));
 }
 
 void compare_chain(const ReportedChain& chain, Result& result) {

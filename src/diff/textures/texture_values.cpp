@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "diff/add_disagreement.h"
+#include "diff/patience.h"
 #include "diff/textures/texture_ways.h"
 #include "rules/all_rules.h"
 
@@ -326,7 +328,7 @@ class LookupComparison {
     Disagreement d = disagreement(lookup);
     if (way) blame(d, way->cause);
     append_permitted(lookup, d);
-    result.disagreements.push_back(std::move(d));
+    add_disagreement(result, std::move(d));
   }
 
   // Reports choices of a policy that OpenGL forbids.
@@ -335,7 +337,7 @@ class LookupComparison {
     d.policy_agrees = is_correct;
     blame(d, illegal_part(relevant_part(chosen_, kinship_of(lookup, false))));
     append_permitted(lookup, d);
-    result.disagreements.push_back(std::move(d));
+    add_disagreement(result, std::move(d));
   }
 
   TextureLookups& lookups_;
@@ -361,6 +363,7 @@ void compare_texture_lookups(const ValueContext& context, const Rendering& exact
   LookupComparison levels(context, lookups, kLevels, profile);
   LookupComparison colors(context, lookups, kColors, profile);
   for (const Fragment& f : rendered.fragments) {
+    Patience::check();
     if (!context.primitive_of(f).state->texture) continue;
     const LookedUp own = lookups.exact(f);
     const FragmentDetail* detail = lookups.detail_of(f);

@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "diff/add_disagreement.h"
+#include "diff/patience.h"
 #include "diff/values/sample_writers.h"
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
@@ -80,10 +82,8 @@ double step_at(double depth, DepthFormat format) {
   return bits == 0 ? float_ulp(depth) : 1 / (std::ldexp(1.0, bits) - 1);
 }
 
-void report(PixelPosition pixel, int sample, const DepthTruth& truth, double stored,
-            DepthFormat format, Result& result) {
-  Disagreement d = value_disagreement(pixel, -1, kRule, kRuling);
-  d.sample = sample;
+void explain(const DepthTruth& truth, double stored, DepthFormat format, Disagreement& d) {
+  d.figure = value_figure({d.x, d.y});
   d.exact = {to_depth(truth.depth, format)};
   d.rendered = {stored};
   d.explanation = fmt::format(
@@ -92,7 +92,6 @@ void report(PixelPosition pixel, int sample, const DepthTruth& truth, double sto
           ? "the clear value, since no fragment was drawn there"
           : fmt::format("the depth of primitive {}, the last drawn there", truth.primitive),
       stored);
-  result.disagreements.push_back(std::move(d));
 }
 
 class DepthComparison {
@@ -109,21 +108,22 @@ class DepthComparison {
     // Fragments are sorted by row, column and primitive, so they are read along with the pixels.
     auto next = rendered_.fragments.begin();
     for (int y = 0; y < rendered_.height; ++y) {
+      Patience::check();
       for (int x = 0; x < rendered_.width; ++x) {
         const auto first = next;
         while (next != rendered_.fragments.end() && next->x == x && next->y == y) ++next;
         for (int sample = 0; sample < rendered_.samples; ++sample)
-          compare({x, y}, sample, {first, next}, result);
+          compare({x, y}, sample, {first, next});
       }
     }
     aggregator_.flush(result);
-    blame(result);
+    report_misses(result);
   }
 
  private:
   // A sample whose depth is beyond the permitted range.
   struct Miss {
-    std::size_t disagreement = 0;  // index
+    PixelPosition pixel;
     std::span<const Fragment> fragments;
     const Fragment* writer = nullptr;
     int sample = 0;
@@ -161,8 +161,7 @@ class DepthComparison {
            is_stored_in_one_way(pixel, fragments, *writer);
   }
 
-  void compare(PixelPosition pixel, int sample, std::span<const Fragment> fragments,
-               Result& result) {
+  void compare(PixelPosition pixel, int sample, std::span<const Fragment> fragments) {
     aggregator_.count_compared(1);
     const double stored = rendered_.depths[rendered_.sample_index(pixel.x, pixel.y, sample)];
     const auto writers = last_writers(context_, fragments, sample);
@@ -173,8 +172,7 @@ class DepthComparison {
       aggregate(pixel, truth, stored);
       return;
     }
-    misses_.push_back({result.disagreements.size(), fragments, writers.front(), sample, stored});
-    report(pixel, sample, truth_of(context_, writers.front(), sample), stored, format_, result);
+    misses_.push_back({pixel, fragments, writers.front(), sample, stored});
   }
 
   bool is_one_code_off(const Miss& miss) const {
@@ -183,18 +181,24 @@ class DepthComparison {
     return is_within_one_code(miss.stored, depth_permitted(depth, format_), format_);
   }
 
-  // Gives each miss the cause that accounts for most of them.
-  void blame(Result& result) const {
+  // Reports each miss with the cause that accounts for most of them.
+  void report_misses(Result& result) const {
     std::map<Cause, int> counts;
     std::vector<std::vector<Cause>> causes;
-    for (const Miss& miss : misses_)
+    for (const Miss& miss : misses_) {
+      Patience::check();
       for (const Cause& cause : causes.emplace_back(causes_of(miss))) ++counts[cause];
+    }
     for (std::size_t i = 0; i < misses_.size(); ++i) {
-      Disagreement& d = result.disagreements[misses_[i].disagreement];
+      const Miss& miss = misses_[i];
+      DisagreementClass of = value_class(-1, kRule, kRuling);
+      of.sample = miss.sample;
       for (const Cause& cause : causes[i])
-        if (d.cause.empty() || counts[cause] > counts[d.cause]) d.cause = cause;
-      if (d.cause.rule() == RuleId::sample_depth) d.rule = RuleId::sample_depth;
-      if (d.cause.empty() && is_one_code_off(misses_[i])) d.ruling = kRulingOnDepthCodes;
+        if (of.cause.empty() || counts[cause] > counts[of.cause]) of.cause = cause;
+      if (of.cause.rule() == RuleId::sample_depth) of.rule = RuleId::sample_depth;
+      if (of.cause.empty() && is_one_code_off(miss)) of.ruling = kRulingOnDepthCodes;
+      if (Disagreement* const d = add_disagreement(result, miss.pixel, of))
+        explain(truth_of(context_, miss.writer, miss.sample), miss.stored, format_, *d);
     }
   }
 

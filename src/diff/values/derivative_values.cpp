@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "diff/add_disagreement.h"
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
 #include "diff/values/value_judge.h"
@@ -291,7 +292,7 @@ class DerivativeComparison {
     d.explanation += fmt::format("comes of {}", name_of(way.method));
     if (way.rows != chosen_.rows)
       d.explanation += fmt::format(", rows of quads counted {}", name_of(way.rows));
-    result.disagreements.push_back(std::move(d));
+    add_disagreement(result, std::move(d));
   }
 
   void report_beyond(const ReportedDerivative& reported, Result& result) const {
@@ -302,7 +303,7 @@ class DerivativeComparison {
     if (d.cause.empty() && is_of_larger_area(reported)) d.ruling = kRulingOnAreas;
     d.explanation += "is no difference of neighbours that the specification permits";
     if (!d.cause.empty()) d.explanation += fmt::format(", but one under {}", text_of(d.cause));
-    result.disagreements.push_back(std::move(d));
+    add_disagreement(result, std::move(d));
   }
 
   const ValueContext& context_;

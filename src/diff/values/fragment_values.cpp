@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "diff/add_disagreement.h"
+#include "diff/patience.h"
 #include "diff/values/drawn_fragments.h"
 #include "diff/values/sample_writers.h"
 #include "diff/values/value_causes.h"
@@ -47,13 +49,13 @@ Cause wrong_provoking_vertex(const ScenePrimitive& primitive, const Fragment& fr
 
 // Flat colours and texture coordinates (ruling 8): those of the provoking vertex, to the bit.
 // `fragment`: of a flat draw, with a colour, or with its texture coordinates in the colour's place.
-// Adds a disagreement if it shows another vertex's value, or no vertex's.
-void compare_flat_color(const ValueContext& context, const Fragment& fragment, Result& result) {
+// Returns false, and adds a disagreement, if it shows another vertex's value, or no vertex's.
+bool compare_flat_color(const ValueContext& context, const Fragment& fragment, Result& result) {
   const ScenePrimitive& primitive = context.primitive_of(fragment);
   const Color color = flat_attribute(primitive, context.choices.values.provoking);
   const bool legal = shows(fragment, flat_attribute(primitive, ProvokingChoice::as_set));
   const bool agrees = shows(fragment, color);
-  if (agrees && (legal || context.latitude == Latitude::none)) return;
+  if (agrees && (legal || context.latitude == Latitude::none)) return true;
   Disagreement d =
       value_disagreement({fragment.x, fragment.y}, fragment.primitive, RuleId::attribute_flat, 8);
   d.legality = by_letter(legal);
@@ -67,7 +69,8 @@ void compare_flat_color(const ValueContext& context, const Fragment& fragment, R
       primitive.state->texture ? "texture coordinate" : "colour", fragment.primitive,
       name_of(primitive.state->provoking_vertex), fmt::join(d.exact, ", "),
       fmt::join(d.rendered, ", "), d.cause.empty() ? "" : ", that of another vertex");
-  result.disagreements.push_back(std::move(d));
+  add_disagreement(result, std::move(d));
+  return false;
 }
 
 // --------------------------------------------------------------------------------------- fragments
@@ -110,18 +113,15 @@ Disagreement beyond_disagreement(std::span<const ValueComponent> components,
 }
 
 // Compares the components of one attribute of one fragment: they agree, are permitted (aggregated)
-// or beyond. Returns the disagreement, if there is one.
-Disagreement* compare_components(std::span<const ValueComponent> components,
-                                 const Fragment& fragment, Point place, RuleId rule,
-                                 ValueAggregator& aggregator, Result& result) {
+// or beyond. Returns the disagreement, which is yet to be added, if there is one.
+std::optional<Disagreement> compare_components(std::span<const ValueComponent> components,
+                                               const Fragment& fragment, Point place, RuleId rule,
+                                               ValueAggregator& aggregator) {
   aggregator.count_compared(components.size());
   const auto beyond = std::find_if(components.begin(), components.end(),
                                    [](const ValueComponent& c) { return !c.is_permitted(); });
-  if (beyond != components.end()) {
-    result.disagreements.push_back(
-        beyond_disagreement(components, *beyond, fragment, place, rule, aggregator.attribute()));
-    return &result.disagreements.back();
-  }
+  if (beyond != components.end())
+    return beyond_disagreement(components, *beyond, fragment, place, rule, aggregator.attribute());
   const ValueAggregate::Place where{fragment.x, fragment.y, fragment.primitive};
   bool differs = false;
   for (std::size_t i = 0; i < components.size(); ++i) {
@@ -132,7 +132,7 @@ Disagreement* compare_components(std::span<const ValueComponent> components,
                                  error_in_ulp(c.exact, c.rendered), c.range});
   }
   if (differs) aggregator.add_place(where);
-  return nullptr;
+  return std::nullopt;
 }
 
 // The location where a value is evaluated is a rule of its own.
@@ -234,6 +234,7 @@ void compare_fragment_values(const ValueContext& context, const Rendering& exact
   std::vector<Correct> correct_ones(context.primitives.size());
   DrawnFragments drawn(exact);
   for (const Fragment& reported : rendered.fragments) {
+    Patience::check();
     Correct& correct = correct_ones[static_cast<std::size_t>(reported.primitive)];
     if (correct.fragment != nullptr && report_the_same(*correct.fragment, reported)) {
       if (correct.color != nullptr) correct.color->count_compared(reported.color.size());
@@ -244,11 +245,10 @@ void compare_fragment_values(const ValueContext& context, const Rendering& exact
     const Fragment f = interpolated(context, rendered, reported);
     const bool textured = draw.texture.has_value();
     const ValueJudge judge(context, f, interpolated_by_exact(context, exact, drawn, f));
-    const std::size_t before = result.disagreements.size();
     bool is_correct = !textured && judge.asks_alike_everywhere();
     correct = {};
     if (f.has_color && draw.interpolation == Interpolation::flat) {
-      compare_flat_color(context, f, result);
+      is_correct = compare_flat_color(context, f, result) && is_correct;
     } else if (f.has_color) {
       std::array<ValueComponent, 4> of_color;
       const std::span components = std::span(of_color).first(textured ? 2 : 4);
@@ -258,9 +258,13 @@ void compare_fragment_values(const ValueContext& context, const Rendering& exact
       correct.color = textured                        ? &coordinates
                       : followed.explains(context, f) ? &elsewhere
                                                       : &colors;
-      Disagreement* d = compare_components(components, f, judge.place(), RuleId::attribute_smooth,
-                                           *correct.color, result);
-      if (d != nullptr) blame(*d, cause_of_color(context, f));
+      auto d = compare_components(components, f, judge.place(), RuleId::attribute_smooth,
+                                  *correct.color);
+      if (d) {
+        blame(*d, cause_of_color(context, f));
+        add_disagreement(result, *std::move(d));
+        is_correct = false;
+      }
     }
     if (f.has_depth) {
       const ValueComponent depth = judge.depth(f.depth);
@@ -268,11 +272,14 @@ void compare_fragment_values(const ValueContext& context, const Rendering& exact
       correct.depth = followed_z.explains(context, f)   ? &depths_elsewhere
                       : followed_o.explains(context, f) ? &depths_offset
                                                         : &depths;
-      Disagreement* d = compare_components({&depth, 1}, f, judge.depth_place(),
-                                           RuleId::fragment_depth, *correct.depth, result);
-      if (d != nullptr) blame_depth(context, f, *d);
+      auto d = compare_components({&depth, 1}, f, judge.depth_place(), RuleId::fragment_depth,
+                                  *correct.depth);
+      if (d) {
+        blame_depth(context, f, *d);
+        add_disagreement(result, *std::move(d));
+        is_correct = false;
+      }
     }
-    is_correct = is_correct && result.disagreements.size() == before;
     if (is_correct) correct.fragment = &reported;
   }
   colors.flush(result);
@@ -309,6 +316,7 @@ void compare_coordinates(const ValueContext& context, const Rendering& exact,
   ValueAggregator places("gl_FragCoord.xy", kRule, 17);
   DrawnFragments drawn(exact);
   for (const Fragment& f : rendered.fragments) {
+    Patience::check();
     if (f.detail < 0) continue;
     const FragmentDetail& detail = rendered.details[static_cast<std::size_t>(f.detail)];
     if (!detail.coordinates) continue;
@@ -328,19 +336,24 @@ void compare_coordinates(const ValueContext& context, const Rendering& exact,
       const auto ignored = coordinates_if_ignored(context, f);
       if (ignored && x == ignored->x.to_double() && y == ignored->y.to_double())
         d.cause = cause_of(MultisampleSwitch::ignored);
-      result.disagreements.push_back(std::move(d));
+      add_disagreement(result, std::move(d));
     }
     const ValueJudge judge(context, f, interpolated_by_exact(context, exact, drawn, f));
     const ValueComponent depth = judge.depth(z);
     const ValueComponent inverse = judge.inverse_w(w);
     Fragment reported = f;
     reported.depth = z;
-    Disagreement* d =
-        compare_components({&depth, 1}, f, judge.depth_place(), kRule,
-                           followed.explains(context, reported) ? elsewhere : depths, result);
-    if (d != nullptr) blame_depth(context, reported, *d);
-    d = compare_components({&inverse, 1}, f, judge.depth_place(), kRule, inverses, result);
-    if (d != nullptr) blame(*d, cause_of_inverse_w(context, f, w));
+    auto d = compare_components({&depth, 1}, f, judge.depth_place(), kRule,
+                                followed.explains(context, reported) ? elsewhere : depths);
+    if (d) {
+      blame_depth(context, reported, *d);
+      add_disagreement(result, *std::move(d));
+    }
+    d = compare_components({&inverse, 1}, f, judge.depth_place(), kRule, inverses);
+    if (d) {
+      blame(*d, cause_of_inverse_w(context, f, w));
+      add_disagreement(result, *std::move(d));
+    }
   }
   depths.flush(result);
   elsewhere.flush(result);

@@ -13,8 +13,12 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <tuple>
+#include <utility>
 #include <vector>
 
+#include "diff/add_disagreement.h"
+#include "diff/patience.h"
 #include "diff/values/sample_writers.h"
 #include "diff/values/value_diff.h"
 #include "diff/values/value_judge.h"
@@ -62,6 +66,7 @@ class PixelComparison {
     // Fragments are sorted by row, column and primitive, so they are read along with the pixels.
     auto next = rendered_.fragments.begin();
     for (int y = 0; y < rendered_.height; ++y) {
+      Patience::check();
       for (int x = 0; x < rendered_.width; ++x) {
         const bool is_of_row = next != rendered_.fragments.end() && next->y == y;
         x = skip_clear({x, y}, is_of_row ? std::min(next->x, rendered_.width) : rendered_.width);
@@ -122,12 +127,28 @@ class PixelComparison {
       aggregate(pixel, *found, stored);
       return;
     }
-    report(pixel, sample, fragments, writers.front(), stored, result);
-    result.disagreements.back().cause = cause_of_switch(fragments, sample, stored);
-    if (std::ranges::any_of(all, holds_color_of)) {
-      result.disagreements.back().rule = RuleId::sample_alpha_to_coverage;
-      result.disagreements.back().ruling = 33;
-    }
+    const Fragment* const last = writers.front();
+    const Fragment* const earlier = earlier_one(fragments, sample, last, stored);
+    DisagreementClass of = value_class(-1, RuleId::framebuffer_unorm8, 10);
+    of.sample = sample;
+    of.cause = cause_of_switch(fragments, sample, stored);
+    if (std::ranges::any_of(all, holds_color_of))
+      std::tie(of.rule, of.ruling) = std::pair(RuleId::sample_alpha_to_coverage, 33);
+    else if (earlier != nullptr)
+      std::tie(of.rule, of.ruling) = std::pair(RuleId::framebuffer_order, 11);
+    else
+      contest(truth_of(last), stored, of);
+    if (Disagreement* const d = add_disagreement(result, pixel, of))
+      explain(last, earlier, stored, *d);
+  }
+
+  // A colour that only a contested ruling accepts stands under that one.
+  static void contest(const PixelTruth& truth, const std::uint8_t* stored, DisagreementClass& of) {
+    const auto contested = std::ranges::find_if(
+        truth.contested, [&](const auto& more) { return is_within(stored, more.bounds); });
+    if (contested == truth.contested.end()) return;
+    of.rule = contested->rule;
+    of.ruling = contested->ruling;
   }
 
   // Compares all four bytes as one word.
@@ -191,20 +212,10 @@ class PixelComparison {
     return earlier;
   }
 
-  void report(PixelPosition pixel, int sample, std::span<const Fragment> fragments,
-              const Fragment* last, const std::uint8_t* stored, Result& result) {
+  void explain(const Fragment* last, const Fragment* earlier, const std::uint8_t* stored,
+               Disagreement& d) const {
+    d.figure = value_figure({d.x, d.y});
     const PixelTruth truth = truth_of(last);
-    const Fragment* earlier = earlier_one(fragments, sample, last, stored);
-    Disagreement d = earlier != nullptr
-                         ? value_disagreement(pixel, -1, RuleId::framebuffer_order, 11)
-                         : value_disagreement(pixel, -1, RuleId::framebuffer_unorm8, 10);
-    const auto contested = std::ranges::find_if(
-        truth.contested, [&](const auto& more) { return is_within(stored, more.bounds); });
-    if (earlier == nullptr && contested != truth.contested.end()) {
-      d.rule = contested->rule;
-      d.ruling = contested->ruling;
-    }
-    d.sample = sample;
     for (std::size_t c = 0; c < 4; ++c) {
       d.exact.push_back(to_unorm8(truth.exact[c]));
       d.rendered.push_back(stored[c]);
@@ -222,9 +233,8 @@ class PixelComparison {
       note += fmt::format(". The fragment does not tell its colour; the specification permits {}",
                           codes_of(truth));
     d.explanation = fmt::format("the {} should hold {}, ({}); it holds ({}){}",
-                                is_multisampled() ? fmt::format("sample {}", sample) : "pixel",
+                                is_multisampled() ? fmt::format("sample {}", d.sample) : "pixel",
                                 what, fmt::join(d.exact, ", "), fmt::join(d.rendered, ", "), note);
-    result.disagreements.push_back(std::move(d));
   }
 
   const ValueContext& context_;

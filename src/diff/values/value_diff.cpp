@@ -205,17 +205,27 @@ Interval permitted_within(const Interpolant& interpolant, const Interpolant& inv
   return result;
 }
 
+DisagreementClass value_class(int primitive, RuleId rule, int ruling) {
+  DisagreementClass of;
+  of.sample = -1;
+  of.primitive = primitive;
+  of.kind = DisagreementKind::value;
+  of.rule = rule;
+  of.ruling = ruling;
+  of.legality = Legality::illegal;
+  return of;
+}
+
+Figure value_figure(PixelPosition pixel) {
+  return {{sample_mark(pixel_centre(pixel.x, pixel.y))}};
+}
+
 Disagreement value_disagreement(PixelPosition pixel, int primitive, RuleId rule, int ruling) {
   Disagreement d;
+  static_cast<DisagreementClass&>(d) = value_class(primitive, rule, ruling);
   d.x = pixel.x;
   d.y = pixel.y;
-  d.sample = -1;
-  d.primitive = primitive;
-  d.kind = DisagreementKind::value;
-  d.rule = std::move(rule);
-  d.ruling = ruling;
-  d.legality = Legality::illegal;
-  d.figure.marks = {sample_mark(pixel_centre(pixel.x, pixel.y))};
+  d.figure = value_figure(pixel);
   return d;
 }
 

@@ -159,8 +159,11 @@ Interval holding(Interval permitted, double exact);
 Interval permitted_within(const Interpolant& interpolant, const Interpolant& inverse_w,
                           std::span<const PermittedPlace> corners);
 
-// A value disagreement at a pixel, not legal, with the pixel's centre marked and without a sample.
-// primitive -1: the pixel.
+// Value disagreements at a pixel, not legal and without a sample. primitive -1: the pixel.
+DisagreementClass value_class(int primitive, RuleId rule, int ruling);
+// The pixel's centre, marked.
+Figure value_figure(PixelPosition pixel);
+// A disagreement of the class, with the figure.
 Disagreement value_disagreement(PixelPosition pixel, int primitive, RuleId rule, int ruling);
 
 // Distance between neighbouring float32 values at `value`.

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "diff/coverage/legality.h"
+#include "diff/coverage/sample_legality.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/clipped_scenes.h"
 #include "tests/support/causes.h"

@@ -16,6 +16,7 @@
 #include "diff/coverage/coverage_diff.h"
 #include "diff/coverage/legality.h"
 #include "diff/coverage/neighbour_faults.h"
+#include "diff/coverage/sample_legality.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/support/judging.h"

@@ -71,6 +71,17 @@ ExitCode draw_alternatives(const DrawCommand& command, const Case& one) {
   return deliver(command, text.str());
 }
 
+// Those that are only counted (Result::counted) are drawn once more, or once less.
+void add_counted_hits(const Result& result, int width, std::vector<int>& hits) {
+  for (const CountedDisagreements& counted : result.counted) {
+    if (counted.kind == DisagreementKind::value) continue;
+    const int more = counted.kind == DisagreementKind::missing ? -1 : 1;
+    for (const PixelRun& run : counted.runs)
+      for (int x = run.begin; x < run.end; ++x)
+        hits[static_cast<std::size_t>(run.y * width + x)] += more;
+  }
+}
+
 DifferencePicture difference_of(const Case& one, const Policy& policy, const Results& results) {
   const CaseResults answered = results.cases[0];
   const Result& result = answered.results.front();
@@ -81,6 +92,7 @@ DifferencePicture difference_of(const Case& one, const Policy& policy, const Res
   picture.renderer = results.renderers.front().name;
   picture.exact_hits = hits_of(rasterize(one.scene, policy));
   picture.rendered_hits = rendered_hits(picture.exact_hits, picture.width, result.disagreements);
+  add_counted_hits(result, picture.width, picture.rendered_hits);
   picture.figure = scene_figure(one.scene);
   picture.disagreements = result.disagreements;
   picture.verdict = result.verdict;

@@ -134,6 +134,7 @@ void print_result(const Result& result, const RendererInfo& info, std::optional<
     fmt::print("  {}: {}\n", name_of(result.failure->kind), one_line(result.failure->reason));
   for (const Disagreement* d : worst_first(result))
     if (!pixel || (pixel->x == d->x && pixel->y == d->y)) print_disagreement(*d, samples);
+  for (const std::string& line : describe_counted(result)) fmt::print("  {}\n", line);
   for (const ValueAggregate& values : result.values) print_values(values);
 }
 

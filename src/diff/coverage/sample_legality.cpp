@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "diff/coverage/sample_legality.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rules/coverage/point_ownership.h"
+#include "rules/coverage/triangle_algorithm.h"
+#include "rules/coverage/triangle_fill.h"
+#include "rules/samples/multisampled_line.h"
+
+namespace edgecase {
+namespace {
+
+constexpr Fixed kHalf = Fixed::from_raw(Fixed::kOne / 2);
+
+// The permitted size of a point or width of a multisampled line. A multisampled point smaller than
+// the fade threshold, which is 1, may be as large as the threshold (14.4, equation 14.1).
+SizeRange sizes_of(const ScenePrimitive& primitive, const SupportedSizes& supported) {
+  const Draw& state = *primitive.state;
+  if (primitive.kind == PrimitiveKind::line)
+    return permitted_sizes(state.line_width, supported.lines);
+  SizeRange range = permitted_sizes(state.point_size, supported.points);
+  if (state.multisampling.enabled && state.point_size < Fixed::from_integer(1))
+    range.high = std::max(range.high, Fixed::from_integer(1));
+  return range;
+}
+
+// Quotients are rounded to the nearest point; the reach accounts for the error.
+Triangle positions_of(const ScenePrimitive& primitive) {
+  Triangle positions{};
+  if (primitive.is_clipped) return positions;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(vertices_of(primitive.kind)); ++i)
+    positions[i] = nearest_point(primitive.positions[i]);
+  return positions;
+}
+
+// "less than 1/256 pixel", with the addition of ruling 15.
+std::string move_of(Fixed error, int bits) {
+  std::string text = fmt::format("less than 1/{} pixel", 1 << bits);
+  if (error != Fixed())
+    text += fmt::format(" and {:.2g} by the division by w (ruling 15)", error.to_double());
+  return text;
+}
+
+// The reason why no primitive may cover the sample, wherever it lies; none if there is no reason.
+std::optional<CoverageLegality> judge_mask(const ScenePrimitive& primitive,
+                                           const CoverageDifference& difference) {
+  const Multisampling& use = primitive.state->multisampling;
+  if (difference.drawn == 0) return std::nullopt;
+  if (!use.enabled && difference.sample > 0)
+    return CoverageLegality{false, 35, RuleId::sample_enable,
+                            "without GL_MULTISAMPLE a fragment has no sample but the first"};
+  if (use.enabled && (use.mask >> difference.sample & 1) == 0)
+    return CoverageLegality{false, 32, RuleId::sample_mask,
+                            "the sample is not in the draw's sample mask"};
+  return std::nullopt;
+}
+
+// A point outside the clip volume that clipping may still pass: it lies between near and far, to
+// within 1 part in 10^5 of w, and near enough to the target to have a position in the window.
+std::optional<SizedPoint> passed_point(const ScenePrimitive& point) {
+  const ClipPosition& clip = *point.vertices[0]->clip;
+  const double farthest = static_cast<double>(clip.w) * (1 + 1e-5);
+  if (!(clip.w > 0) || std::fabs(static_cast<double>(clip.z)) > farthest) return std::nullopt;
+  const HomogeneousPoint& place = point.positions[0];
+  const std::int64_t limit = Fixed::kMaxCoordinate * place.w;
+  if (std::abs(place.x) > limit || std::abs(place.y) > limit) return std::nullopt;
+  return SizedPoint{nearest_point(place), point.state->point_size};
+}
+
+// True if a cut at the viewport's sides makes the difference.
+bool is_cut_at_viewport(const ScenePrimitive& primitive, const CoverageDifference& difference) {
+  return primitive.kind != PrimitiveKind::triangle && difference.drawn < difference.exact &&
+         !pixels_in(primitive.viewport).contains(difference.pixel);
+}
+
+bool is_extra(const CoverageDifference& difference) {
+  return difference.drawn > difference.exact;
+}
+
+}  // namespace
+
+SampleJudge::SampleJudge(const ScenePrimitive& primitive, const SampleTerms& terms)
+    : primitive_(primitive),
+      terms_(terms),
+      error_(division_error(primitive)),
+      latitudes_{reach_of(primitive, terms.bits), sizes_of(primitive, terms.sizes)},
+      triangle_(positions_of(primitive)),
+      culling_(permitted_culling(primitive, terms.bits)) {
+  if (primitive.is_clipped && primitive.kind == PrimitiveKind::triangle)
+    polygon_ = loose_polygon(primitive, terms.bits);
+}
+
+CoverageLegality SampleJudge::judged(const CoverageDifference& difference, Point within,
+                                     bool wants_reason) {
+  wants_reason_ = wants_reason;
+  CoverageLegality legality = judge(difference, within);
+  if (!legality.legal) contest(difference, legality);
+  return judge_facing(difference, std::move(legality));
+}
+
+bool SampleJudge::is_possible(Point sample, bool extra, Fixed more) const {
+  const Fixed reach = latitudes_.reach + more;
+  const auto& [low, high] = latitudes_.sizes;
+  const auto& [a, b, c] = triangle_;
+  switch (primitive_.kind) {
+    case PrimitiveKind::point:
+      return extra ? point_possibly_covered({a, high}, sample, reach)
+                   : point_possibly_uncovered({a, low}, sample, reach);
+    case PrimitiveKind::line:
+      return extra ? multisampled_line_possibly_covered({a, b}, high, sample, reach)
+                   : multisampled_line_possibly_uncovered({a, b}, low, sample, reach);
+    case PrimitiveKind::triangle:
+      return extra ? triangle_possibly_covered(triangle_, sample, reach)
+                   : triangle_possibly_uncovered(triangle_, sample, reach);
+  }
+  return true;
+}
+
+// An implementation may draw a point outside the sides of the view volume, or not; exact does not
+// (ruling 42).
+CoverageLegality SampleJudge::judge_clipped_point(bool extra, Point sample) const {
+  constexpr int kRuling = 42;
+  const auto passed = passed_point(primitive_);
+  if (!passed || !extra)
+    return {!extra, kRuling, kClipVolume,
+            passed ? "the point lies outside the view volume, and may be discarded"
+                   : "the point does not lie between near and far"};
+  const Vertex& vertex = *primitive_.vertices[0];
+  const Fixed error = edgecase::division_error(vertex, passed->vertex, primitive_.viewport);
+  if (point_possibly_covered(*passed, sample, grid_step(terms_.bits) + error))
+    return {true, kRuling, kClipVolume,
+            "the point lies between near and far, and so need not be discarded"};
+  return {false, 6, coverage_rule_of(primitive_.kind), reason([&] {
+            return fmt::format(
+                "no move of the vertex by {} could put the sample inside or on the boundary",
+                move_of(error, terms_.bits));
+          })};
+}
+
+// Judges a primitive that reaches out of the clip volume: ruling 42.
+CoverageLegality SampleJudge::judge_clipped(bool extra, Point sample) const {
+  constexpr int kRuling = 42;
+  if (primitive_.kind == PrimitiveKind::point) return judge_clipped_point(extra, sample);
+  if (primitive_.kind == PrimitiveKind::line)
+    return {!extra, kRuling, kClipVolume, "nothing of the line lies in the clip volume"};
+  const bool legal = extra ? polygon_possibly_covered(*polygon_, sample)
+                           : polygon_possibly_uncovered(*polygon_, sample);
+  return {legal, kRuling, kClipVolume, reason([&] {
+            return fmt::format(
+                "{} move of the vertices of what is seen, by less than 1/{} pixel and {:.2g} "
+                "by clipping and the division by w, {} the sample {}",
+                legal ? "some" : "no", 1 << terms_.bits, error_.to_double(),
+                legal ? "puts" : "could put",
+                extra ? "inside or on the boundary" : "outside or on the boundary");
+          })};
+}
+
+CoverageLegality SampleJudge::judge(const CoverageDifference& difference, Point within) const {
+  if (auto masked = judge_mask(primitive_, difference)) return *std::move(masked);
+  const bool point = primitive_.kind == PrimitiveKind::point;
+  const bool line = primitive_.kind == PrimitiveKind::line;
+  const bool extra = is_extra(difference);
+  const Point sample = place_in(difference.pixel, within);
+  if (primitive_.is_clipped) return judge_clipped(extra, sample);
+  CoverageLegality result;
+  result.rule = line ? kMultisampledLine : coverage_rule_of(primitive_.kind);
+  result.ruling = point ? 6 : line ? 28 : 4;
+  result.legal = is_possible(sample, extra);
+  result.reason = reason([&] {
+    return fmt::format("{} move of the {} by {} {} the sample {}", result.legal ? "some" : "no",
+                       point ? "vertex" : "vertices", move_of(error_, terms_.bits),
+                       result.legal ? "puts" : "could put",
+                       extra ? "inside or on the boundary" : "outside or on the boundary");
+  });
+  return result;
+}
+
+CoverageLegality SampleJudge::judge_facing(const CoverageDifference& difference,
+                                           CoverageLegality otherwise) const {
+  constexpr RuleId kRule = RuleId::polygon_facing;
+  constexpr int kRuling = 40;
+  if (primitive_.kind != PrimitiveKind::triangle || primitive_.state->cull == CullMode::none)
+    return otherwise;
+  const auto [may_be_culled, may_be_drawn] = culling_;
+  const bool extra = is_extra(difference);
+  const bool turns = extra ? may_be_drawn : may_be_culled;
+  const std::string facing = reason([&] {
+    return fmt::format("{} move of the vertices by {} turns the triangle so that it is {}culled",
+                       turns ? "some" : "no", move_of(error_, terms_.bits), extra ? "not " : "");
+  });
+  if (extra && !turns) return {false, kRuling, kRule, facing};
+  if (extra && is_culled(primitive_, primitive_.positions, FacingMethod::as_set))
+    return {otherwise.legal, kRuling, kRule,
+            otherwise.legal ? facing : facing + ", but " + otherwise.reason};
+  // All fragments of a triangle face the same way.
+  if (extra || !terms_.is_missing || otherwise.legal) return otherwise;
+  return {turns, kRuling, kRule, "nothing of the triangle is drawn, and " + facing};
+}
+
+// A sample at most half a pixel from a centre is like a centre with the vertices moved by as much;
+// the pixel and its surroundings are those squares round nine centres.
+bool SampleJudge::is_so_elsewhere(PixelPosition pixel, bool extra) {
+  if (primitive_.is_clipped && !polygon_) return false;
+  // The samples of a pixel have one answer.
+  const auto [known, is_new] = elsewhere_.try_emplace({pixel, extra}, false);
+  if (!is_new) return known->second;
+  LoosePolygon polygon = polygon_ ? *polygon_ : LoosePolygon{};
+  polygon.reach = polygon.reach + kHalf;
+  const auto is_so = [&](Point sample) {
+    if (!polygon_) return is_possible(sample, extra, kHalf);
+    return extra ? polygon_possibly_covered(polygon, sample)
+                 : polygon_possibly_uncovered(polygon, sample);
+  };
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (is_so(pixel_centre(pixel.x + dx, pixel.y + dy))) return known->second = true;
+  return false;
+}
+
+void SampleJudge::contest(const CoverageDifference& difference, CoverageLegality& legality) {
+  if (judge_mask(primitive_, difference)) return;
+  if (is_cut_at_viewport(primitive_, difference)) {
+    legality.ruling = kRulingOnViewport;
+    legality.reason += ", and the pixel lies beyond the viewport's sides";
+  } else if (terms_.is_multisampled && is_so_elsewhere(difference.pixel, is_extra(difference))) {
+    legality.ruling = kRulingOnOtherPlaces;
+    legality.reason += reason([&] {
+      return fmt::format(", but a sample elsewhere could be {}",
+                         is_extra(difference) ? "covered" : "left out");
+    });
+  }
+}
+
+CoverageLegality judge_sample(const ScenePrimitive& primitive, const CoverageDifference& difference,
+                              Point within, int bits, const SupportedSizes& sizes) {
+  return SampleJudge(primitive, {bits, sizes}).judge(difference, within);
+}
+
+}  // namespace edgecase
