@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "run/comparing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <utility>
 #include <variant>
 
 #include "diff/compare.h"
+#include "diff/patience.h"
 #include "raster/rasterizer.h"
 
 namespace edgecase {
@@ -31,6 +34,8 @@ CaseComparison::CaseComparison(std::size_t count, const RunOptions& options)
     : policy_(options.policy),
       profiles_(options.profiles),
       likely_first_(options.likely_first),
+      stop_(options.stop),
+      patience_(options.comparison_patience),
       made_(std::make_unique<std::once_flag[]>(count)),
       exact_(count) {}
 
@@ -55,10 +60,18 @@ Result CaseComparison::compare_rendering(std::size_t index, const Case& one,
                                          const Rendering& rendering, const RendererInfo& info) {
   RendererFacts facts = facts_of(info, profiles_of(profiles_, info.name).resolved(info));
   facts.likely_first = likely_first_;
-  Result result = compare_with_exact(index, one.scene, rendering, facts);
-  if (std::ranges::find(one.tags, kRampTag) != one.tags.end())
-    result.ramp = level_ramp(one.scene, policy_, rendering, facts);
-  return result;
+  const Patience patience(stop_, patience_);
+  try {
+    Result result = compare_with_exact(index, one.scene, rendering, facts);
+    if (std::ranges::find(one.tags, kRampTag) != one.tags.end())
+      result.ramp = level_ramp(one.scene, policy_, rendering, facts);
+    return result;
+  } catch (const ComparisonTooLong&) {
+    return not_run({FailureKind::timed_out,
+                    fmt::format("comparing its answer took edgecase longer than {} seconds; give "
+                                "it more with --timeout",
+                                std::chrono::duration<double>(patience_).count())});
+  }
 }
 
 // If a renderer has its samples elsewhere, exact is drawn with samples there.

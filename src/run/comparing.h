@@ -4,6 +4,8 @@
 // run/judging.h judges them.
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -38,7 +40,9 @@ class CaseComparison {
   void forget(std::size_t index) { exact_[index].reset(); }
 
   // Compares the answer of renderer `info` to the case, which is the one at `index`. What fails in
-  // comparing costs this answer alone: it is not run, by a fault of ours.
+  // comparing costs this answer alone: it is not run, by a fault of ours. Nor is it where comparing
+  // takes longer than its patience. Throws ComparisonStopped (diff/patience.h) once options.stop is
+  // true.
   Result compare_outcome(std::size_t index, const Case& one, Outcome outcome,
                          const RendererInfo& info);
 
@@ -51,6 +55,8 @@ class CaseComparison {
   const ResolvedPolicy policy_;
   const Profiles profiles_;
   const bool likely_first_;
+  const std::atomic<bool>* const stop_;
+  const std::chrono::milliseconds patience_;
   std::unique_ptr<std::once_flag[]> made_;
   std::vector<std::unique_ptr<const ExactSide>> exact_;  // by case; null: not made, or freed
 };

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "diff/judge.h"
+#include "diff/patience.h"
 #include "model/threads.h"
 #include "run/comparing.h"
 #include "run/judging.h"
@@ -111,6 +112,8 @@ class Rerun {
       try {
         ask_slice(begin, std::min(begin + kSlice, questions_.size()));
       } catch (const Stopped&) {
+        return;
+      } catch (const ComparisonStopped&) {
         return;
       }
     }

@@ -16,6 +16,7 @@
 #include <utility>
 #include <variant>
 
+#include "diff/patience.h"
 #include "model/threads.h"
 #include "results/standing.h"
 #include "run/answer_digest.h"
@@ -161,9 +162,18 @@ class Run {
         return {{}, true};
       }
     }
-    Answer answer{comparison_.compare_outcome(at, one, std::move(outcome), info), false};
-    answer.result.answer_digest = digest;
+    Answer answer{compared(at, one, std::move(outcome), info), false};
+    // What was not compared to its end is compared again by the next run.
+    if (!answer.result.failure) answer.result.answer_digest = digest;
     return answer;
+  }
+
+  Result compared(std::size_t at, const Case& one, Outcome outcome, const RendererInfo& info) {
+    try {
+      return comparison_.compare_outcome(at, one, std::move(outcome), info);
+    } catch (const ComparisonStopped&) {
+      throw Stopped{};
+    }
   }
 
   void note_duration(const std::string& id, std::size_t index,

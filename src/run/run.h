@@ -10,6 +10,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -43,6 +44,8 @@ struct RunOptions {
   std::vector<std::string> renderers;  // names that make_renderer knows
   Profiles profiles;                   // of some of them
   RendererOptions renderer_options;
+  // What comparing one answer may take; beyond that it is not run (timed-out).
+  std::chrono::milliseconds comparison_patience{60'000};
   int jobs = 1;                                            // threads, at least 1
   std::function<void(std::size_t, std::size_t)> progress;  // done, total; from any thread; or empty
   // Becomes true when the run should end; put it into renderer_options as well, or a renderer that

@@ -48,6 +48,8 @@ RunOptions run_options(const Policy& policy, const Profiles& profiles,
   run.renderer_options = {policy,
                           std::chrono::milliseconds(static_cast<int>(options.timeout * 1000)),
                           worker_directory(), &interrupted(), options.project.folders};
+  run.comparison_patience =
+      std::max(6 * run.renderer_options.timeout, std::chrono::milliseconds(30'000));
   run.jobs =
       options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
   run.stop = &interrupted();
@@ -128,7 +130,8 @@ void SuiteRunOptions::add_to(CLI::App& command) {
   command
       .add_option("--timeout", timeout,
                   "Seconds per case; a renderer's first answer may take "
-                  "four times as long beside that, 5 to 30 seconds")
+                  "four times as long beside that, 5 to 30 seconds; comparing "
+                  "it may take six times as long, at least 30 seconds")
       ->check(in_range(0.01, 3600.0));
   command.add_option("--progress", progress, "Progress on standard error")
       ->check(CLI::IsMember({"auto", "never"}));
