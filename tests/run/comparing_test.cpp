@@ -3,10 +3,13 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
+#include <chrono>
 #include <optional>
 #include <sstream>
 #include <variant>
 
+#include "diff/patience.h"
 #include "raster/rasterizer.h"
 #include "results/results_json.h"
 
@@ -128,6 +131,36 @@ TEST(RunSuite, LosesOnlyTheCaseInWhichItFails) {
   std::ostringstream text;
   write_results(results, text);
   EXPECT_TRUE(std::holds_alternative<Results>(read_results(text.str())));
+}
+
+Rendering without_fragments(const Case& asked) {
+  Rendering rendering = rasterize(asked.scene, Policy{});
+  rendering.fragments.clear();
+  return rendering;
+}
+
+TEST(CaseComparison, IsNotRunIfItTakesTooLongWhichIsNotTheRenderersFault) {
+  const Suite suite = suite_of(1);
+  RunOptions options;
+  options.comparison_patience = std::chrono::milliseconds(-1);
+  const Case asked = suite.cases[0];
+  CaseComparison comparison(suite.cases.size(), options);
+  const Result result = comparison.compare_outcome(0, asked, without_fragments(asked), {});
+  EXPECT_EQ(result.verdict, Verdict::not_run);
+  ASSERT_TRUE(result.failure.has_value());
+  EXPECT_EQ(result.failure->kind, FailureKind::timed_out);
+  EXPECT_NE(result.failure->reason.find("edgecase"), std::string::npos);
+}
+
+TEST(CaseComparison, EndsWithTheRun) {
+  const Suite suite = suite_of(1);
+  const std::atomic<bool> stop = true;
+  RunOptions options;
+  options.stop = &stop;
+  const Case asked = suite.cases[0];
+  CaseComparison comparison(suite.cases.size(), options);
+  EXPECT_THROW(comparison.compare_outcome(0, asked, without_fragments(asked), {}),
+               ComparisonStopped);
 }
 
 }  // namespace
