@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <map>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -18,6 +17,7 @@
 #include "reports/painter.h"
 #include "reports/text.h"
 #include "reports/unexpected_summary.h"
+#include "rules/renderer_claims.h"
 
 namespace edgecase {
 namespace {
@@ -47,6 +47,8 @@ std::string first_line(const Results& results, const std::optional<RunCost>& cos
   const auto grown = static_cast<std::size_t>(
       std::ranges::count(results.faults, FaultState::grown, &FaultSeen::state));
   if (grown > 0) found.push_back(counted(grown, "known fault", "known faults") + " grown");
+  if (const std::size_t idle = idle_renderers(results).size(); idle > 0)
+    found.push_back(counted(idle, "renderer", "renderers") + " drew nothing");
   if (results.interrupted) found.emplace_back("interrupted");
   const bool is_good = unexpected == 0 && found.empty();
   found.insert(found.begin(), grouped(unexpected) + " unexpected");
@@ -161,28 +163,38 @@ void write_known(const Results& results, std::ostream& out) {
   }
 }
 
-// "Not supported by egl:llvmpipe: 127 cases: REASON" for each of the commonest reasons.
+// "Not supported by egl:llvmpipe: 127 cases: REASON" for each of the commonest reasons, where it is
+// not said already that the renderer drew nothing.
 void write_unsupported(const Results& results, std::ostream& out) {
   constexpr std::size_t kMostReasons = 6;
   constexpr std::size_t kMostBytes = 2000;  // of a reason
   for (std::size_t r = 0; r < results.renderers.size(); ++r) {
-    std::map<std::string, std::size_t> counts;
-    for (const CaseOutline& one : results.cases.outlines())
-      if (r < one.answers.size() && one.answers[r].failure &&
-          one.answers[r].failure->kind == FailureKind::unsupported)
-        ++counts[one.answers[r].failure->reason];
-    std::vector<std::pair<std::size_t, std::string>> reasons;
-    for (const auto& [reason, count] : counts) reasons.emplace_back(count, reason);
-    std::ranges::stable_sort(reasons, std::greater(), &std::pair<std::size_t, std::string>::first);
+    if (drew_nothing(results, r)) continue;
+    const std::vector<Refusal> refusals = refusals_of(results, r);
     const std::string name = one_line(results.renderers[r].name);
-    for (std::size_t i = 0; i < std::min(kMostReasons, reasons.size()); ++i)
+    for (std::size_t i = 0; i < std::min(kMostReasons, refusals.size()); ++i)
       out << fmt::format("Not supported by {}: {}: {}.\n", name,
-                         counted(reasons[i].first, "case", "cases"),
-                         one_line(shortened(reasons[i].second, kMostBytes)));
-    if (reasons.size() > kMostReasons)
+                         counted(refusals[i].cases, "case", "cases"),
+                         one_line(shortened(refusals[i].reason, kMostBytes)));
+    if (refusals.size() > kMostReasons)
       out << fmt::format("Not supported by {}: {}.\n", name,
-                         counted(reasons.size() - kMostReasons, "more reason", "more reasons"));
+                         counted(refusals.size() - kMostReasons, "more reason", "more reasons"));
   }
+}
+
+// Which renderers drew nothing, and why: a line each.
+void write_idle(const Results& results, const Painter& paint, std::ostream& out) {
+  for (std::size_t r = 0; r < results.renderers.size(); ++r)
+    if (drew_nothing(results, r)) out << paint.bold(words_of_idleness(results, r)) << '\n';
+}
+
+// The claims that excuse nothing.
+void write_refused_claims(const Results& results, std::ostream& out) {
+  constexpr std::size_t kMostOfClaim = 300;
+  for (const RendererInfo& info : results.renderers)
+    for (const std::string& claim : claims_of(info).refused)
+      out << fmt::format("Not believed of {}: {}.\n", one_line(info.name),
+                         one_line(shortened(claim, kMostOfClaim)));
 }
 
 }  // namespace
@@ -192,6 +204,7 @@ void write_summary(const Results& results, bool color, std::ostream& out,
   const Painter paint(color);
   out << first_line(results, cost, paint) << '\n';
   if (cost && !cost->note.empty()) out << one_line(cost->note) << '\n';
+  write_idle(results, paint, out);
   write_unexpected(results, paint, out);
 
   std::vector<std::string> files;
@@ -207,6 +220,7 @@ void write_summary(const Results& results, bool color, std::ostream& out,
   out << '\n';
   Table(results, paint).write(out);
   write_recordings(results, out);
+  write_refused_claims(results, out);
   write_known(results, out);
   write_unsupported(results, out);
   write_clusters(results, paint, out);

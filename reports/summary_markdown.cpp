@@ -15,6 +15,7 @@
 #include "reports/text.h"
 #include "reports/unexpected_summary.h"
 #include "results/clusters.h"
+#include "rules/renderer_claims.h"
 
 namespace edgecase {
 namespace {
@@ -97,6 +98,15 @@ void add_faults(const Results& results, MarkdownPage& page) {
            page);
 }
 
+// What renderers claim of themselves and the specification does not allow.
+void add_refused_claims(const Results& results, MarkdownPage& page) {
+  std::vector<std::string> lines;
+  for (const RendererInfo& info : results.renderers)
+    for (const std::string& claim : claims_of(info).refused)
+      lines.push_back(fmt::format("- {}: {}", markdown_code(info.name), markdown_code(claim)));
+  add_list("Claims that are not believed", "", lines, kMostListed, page);
+}
+
 // The known faults: those whose counts differ from their files, then all of them, folded.
 void add_known(const Results& results, MarkdownPage& page) {
   std::vector<std::string> changed;
@@ -149,9 +159,13 @@ void write_markdown_summary(const Results& results, std::ostream& out) {
                        counted(results.cases.size(), "case", "cases"),
                        markdown_code(results.policy)));
   if (results.interrupted) page.add("\n**" + words_of_interruption(results) + "**\n");
+  for (std::size_t r = 0; r < results.renderers.size(); ++r)
+    if (drew_nothing(results, r))
+      page.add("\n**Drew nothing:** " + markdown_code(words_of_idleness(results, r), 3000) + "\n");
   add_table(results, page);
   add_unexpected(results, page);
   add_faults(results, page);
+  add_refused_claims(results, page);
   add_known(results, page);
   add_contested(results, page);
   for (std::size_t r = 0; r < results.renderers.size(); ++r) add_clusters(results, r, page);

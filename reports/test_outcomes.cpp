@@ -108,7 +108,7 @@ class Visit {
     visit_diagnostics();
     visit_expect_failures();
     visit_grown_faults();
-    if (results_.interrupted) visit_interruption();
+    visit_run();
   }
 
  private:
@@ -230,12 +230,19 @@ class Visit {
     }
   }
 
-  // An interrupted run must not look like a small one that passed.
-  void visit_interruption() {
+  // A run that was interrupted, or of which a renderer drew nothing, must not look like one that
+  // passed.
+  void visit_run() {
     begin("run");
-    TestOutcome outcome = test("complete");
+    if (results_.interrupted) report_run("complete", words_of_interruption(results_));
+    for (const std::size_t r : idle_renderers(results_))
+      report_run(results_.renderers[r].name + " draws", words_of_idleness(results_, r));
+  }
+
+  void report_run(const std::string& name, const std::string& message) {
+    TestOutcome outcome = test(name);
     outcome.status = TestStatus::error;
-    outcome.message = words_of_interruption(results_);
+    outcome.message = message;
     sink_(outcome);
   }
 

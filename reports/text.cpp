@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "model/text.h"
 #include "results/clusters.h"
@@ -158,6 +160,23 @@ std::string words_of_interruption(const Results& results) {
   if (results.left_out == 0) return "The run was interrupted.";
   return fmt::format("The run was interrupted; {} missing.",
                      counted(results.left_out, "case is", "cases are"));
+}
+
+std::string words_of_idleness(const Results& results, std::size_t renderer) {
+  constexpr std::size_t kMostReasons = 6;
+  constexpr std::size_t kMostOfReason = 300;
+  std::string text = fmt::format("{} drew none of {}:", one_line(results.renderers[renderer].name),
+                                 counted(results.cases.size(), "case", "cases"));
+  const std::vector<Refusal> refusals = refusals_of(results, renderer);
+  const std::size_t listed = std::min(kMostReasons, refusals.size());
+  for (std::size_t i = 0; i < listed; ++i)
+    text += fmt::format("{} {} x \"{}\"", i > 0 ? "," : "", grouped(refusals[i].cases),
+                        one_line(shortened(refusals[i].reason, kMostOfReason)));
+  if (listed < refusals.size())
+    text += ", and " + counted(refusals.size() - listed, "more reason", "more reasons");
+  if (results.shard && results.shard->count > 1)
+    text += "; whether that is so of the whole run, `edgecase merge` tells";
+  return text;
 }
 
 bool names_sample(const Disagreement& d, int samples) {

@@ -40,6 +40,10 @@ std::string headline(const Result& result);
 // "The run was interrupted; 3 cases are missing."
 std::string words_of_interruption(const Results& results);
 
+// "egl:softpipe drew none of 59 cases: 50 x "REASON", 9 x "REASON"" with at most six reasons; of a
+// shard, that the others decide.
+std::string words_of_idleness(const Results& results, std::size_t renderer);
+
 // Is it about one sample of a pixel of so many?
 bool names_sample(const Disagreement& disagreement, int samples);
 

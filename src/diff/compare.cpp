@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <map>
 #include <set>
@@ -26,6 +25,7 @@
 #include "rules/choices.h"
 #include "rules/coverage/clip_volume.h"
 #include "rules/coverage/window.h"
+#include "rules/renderer_claims.h"
 
 namespace edgecase {
 namespace {
@@ -61,22 +61,11 @@ void read_upside_down(const Drawing& drawing, Result& result) {
     note_upside_down(result);
 }
 
-// The limits that a renderer claims by its traits "max_texture_lod_bias" and "api". A missing
-// trait, or a limit that OpenGL does not allow, means nothing is known.
-LookupLimits lookup_limits(const std::map<std::string, std::string>& traits) {
-  LookupLimits limits;
-  if (const auto bias = traits.find("max_texture_lod_bias"); bias != traits.end())
-    limits.bias = std::max(limits.bias, std::strtod(bias->second.c_str(), nullptr));
-  if (!std::isfinite(limits.bias)) limits.bias = kLeastBiasLimit;
-  const auto api = traits.find("api");
-  limits.is_es = api != traits.end() && api->second == "OpenGL ES";
-  return limits;
-}
-
 }  // namespace
 
 RendererFacts facts_of(const RendererInfo& info, const ResolvedPolicy* profile) {
-  return {info.subpixel_bits, profile, supported_sizes(info.traits), lookup_limits(info.traits)};
+  const RendererClaims claims = claims_of(info);
+  return {info.subpixel_bits, profile, claims.sizes, claims.lookups};
 }
 
 Result compare(const Scene& scene, const ResolvedPolicy& policy, const Rendering& exact,

@@ -10,13 +10,13 @@
 #include <span>
 #include <vector>
 
-#include "diff/coverage/vertex_latitude.h"
 #include "model/figure.h"
 #include "model/renderer.h"
 #include "model/rendering.h"
 #include "model/result.h"
 #include "model/scene.h"
 #include "rules/choices.h"
+#include "rules/renderer_claims.h"
 #include "rules/textures/level_of_detail.h"
 
 namespace edgecase {

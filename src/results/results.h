@@ -97,6 +97,20 @@ inline bool is_whole(const Results& results) {
 std::size_t count_unexpected(const Results& results);
 std::size_t count_unexpected(const Results& results, std::size_t renderer);
 
+// A reason by which a renderer refused cases as unsupported, and how many.
+struct Refusal {
+  std::string reason;
+  std::size_t cases = 0;
+};
+// Of the renderer at `renderer`, most cases first, equals by reason.
+std::vector<Refusal> refusals_of(const Results& results, std::size_t renderer);
+
+// True if the renderer drew no case at all and refused at least one. Such a run says nothing of the
+// renderer, and is red. False of an interrupted run, which does not tell.
+bool drew_nothing(const Results& results, std::size_t renderer);
+// The renderers of which that is so, by index; none of a shard, whose neighbours may have drawn.
+std::vector<std::size_t> idle_renderers(const Results& results);
+
 // verdict -> number of cases, for the renderer at `index`.
 std::map<Verdict, std::size_t> count_verdicts(const Results& results, std::size_t index);
 

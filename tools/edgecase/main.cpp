@@ -21,7 +21,8 @@ int main(int argc, char** argv) {
   app.footer(
       "`edgecase help run` prints the options of run, and examples.\n\n"
       "Exit codes: 0 as expected, 1 something unexpected, 2 usage or case error, "
-      "3 input, output or internal error, 4 renderer missing or failing, 5 nothing selected.\n\n"
+      "3 input, output or internal error, 4 renderer missing or failing, 5 nothing selected, "
+      "6 a renderer drew nothing.\n\n"
       "Results do not depend on the processor. The variable EDGECASE_KERNELS names the SIMD target "
       "of the fast kernels; none turns them off.");
   ExitCode exit = ExitCode::as_expected;

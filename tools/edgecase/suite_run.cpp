@@ -264,6 +264,7 @@ ExitCode exit_code_of(const Results& results) {
   ExitCode exit = ExitCode::as_expected;
   if (!results.diagnostics.empty()) exit = worse(exit, ExitCode::usage);
   if (results.cases.empty() && results.diagnostics.empty()) exit = ExitCode::nothing_selected;
+  if (!idle_renderers(results).empty()) exit = worse(exit, ExitCode::nothing_drawn);
   if (results.interrupted || has_grown(results)) exit = worse(exit, ExitCode::unexpected);
   for (const CaseOutline& one : results.cases.outlines()) {
     if (one.expect_failures > 0) exit = worse(exit, ExitCode::unexpected);

@@ -12,11 +12,11 @@
 
 #include "diff/add_disagreement.h"
 #include "diff/coverage/cause.h"
-#include "diff/coverage/coverage_diff.h"
 #include "diff/coverage/legality.h"
 #include "diff/coverage/neighbour_faults.h"
 #include "diff/coverage/sample_legality.h"
 #include "diff/coverage/shared_edge_blame.h"
+#include "diff/coverage/size_latitude.h"
 #include "diff/patience.h"
 #include "raster/attributes.h"
 #include "raster/rasterizer.h"
@@ -37,6 +37,7 @@ class CoverageComparison {
 
   void run() {
     for (const ScenePrimitive& primitive : context_.primitives) {
+      sizes_ = sizes_that_excuse(primitive, coverage_of(primitive), context_);
       compare_with_policy(primitive);
       if (context_.latitude == Latitude::opengl) compare_samples_with_specification(primitive);
     }
@@ -182,7 +183,7 @@ class CoverageComparison {
   }
 
   SampleTerms terms_of(const ScenePrimitive& primitive) const {
-    return {context_.bits, context_.sizes, is_multisampled(primitive), is_missing(primitive)};
+    return {context_.bits, sizes_, is_multisampled(primitive), is_missing(primitive)};
   }
 
   // True if nothing of the primitive was drawn.
@@ -388,6 +389,7 @@ class CoverageComparison {
   std::map<int, Cause> excused_causes_;                           // by primitive
   std::map<int, std::vector<CoverageDifference>> from_standard_;  // by primitive
   std::map<int, std::set<SamplePlace>> excused_;                  // by primitive
+  SupportedSizes sizes_;  // that excuse the primitive at hand
   Result& result_;
 };
 

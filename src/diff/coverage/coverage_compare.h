@@ -11,11 +11,11 @@
 #include <span>
 
 #include "diff/coverage/coverage_diff.h"
-#include "diff/coverage/vertex_latitude.h"
 #include "model/policy.h"
 #include "model/result.h"
 #include "model/scene.h"
 #include "rules/choices.h"
+#include "rules/renderer_claims.h"
 
 namespace edgecase {
 

@@ -12,6 +12,7 @@
 #include "diff/coverage/vertex_latitude.h"
 #include "model/scene.h"
 #include "model/verdict.h"
+#include "rules/renderer_claims.h"
 
 namespace edgecase {
 

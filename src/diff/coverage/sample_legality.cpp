@@ -7,35 +7,11 @@
 #include <cmath>
 
 #include "rules/coverage/point_ownership.h"
-#include "rules/coverage/triangle_algorithm.h"
-#include "rules/coverage/triangle_fill.h"
-#include "rules/samples/multisampled_line.h"
 
 namespace edgecase {
 namespace {
 
 constexpr Fixed kHalf = Fixed::from_raw(Fixed::kOne / 2);
-
-// The permitted size of a point or width of a multisampled line. A multisampled point smaller than
-// the fade threshold, which is 1, may be as large as the threshold (14.4, equation 14.1).
-SizeRange sizes_of(const ScenePrimitive& primitive, const SupportedSizes& supported) {
-  const Draw& state = *primitive.state;
-  if (primitive.kind == PrimitiveKind::line)
-    return permitted_sizes(state.line_width, supported.lines);
-  SizeRange range = permitted_sizes(state.point_size, supported.points);
-  if (state.multisampling.enabled && state.point_size < Fixed::from_integer(1))
-    range.high = std::max(range.high, Fixed::from_integer(1));
-  return range;
-}
-
-// Quotients are rounded to the nearest point; the reach accounts for the error.
-Triangle positions_of(const ScenePrimitive& primitive) {
-  Triangle positions{};
-  if (primitive.is_clipped) return positions;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(vertices_of(primitive.kind)); ++i)
-    positions[i] = nearest_point(primitive.positions[i]);
-  return positions;
-}
 
 // "less than 1/256 pixel", with the addition of ruling 15.
 std::string move_of(Fixed error, int bits) {
@@ -87,8 +63,7 @@ SampleJudge::SampleJudge(const ScenePrimitive& primitive, const SampleTerms& ter
     : primitive_(primitive),
       terms_(terms),
       error_(division_error(primitive)),
-      latitudes_{reach_of(primitive, terms.bits), sizes_of(primitive, terms.sizes)},
-      triangle_(positions_of(primitive)),
+      latitudes_(latitudes_of(primitive, terms.bits, terms.sizes)),
       culling_(permitted_culling(primitive, terms.bits)) {
   if (primitive.is_clipped && primitive.kind == PrimitiveKind::triangle)
     polygon_ = loose_polygon(primitive, terms.bits);
@@ -103,21 +78,10 @@ CoverageLegality SampleJudge::judged(const CoverageDifference& difference, Point
 }
 
 bool SampleJudge::is_possible(Point sample, bool extra, Fixed more) const {
-  const Fixed reach = latitudes_.reach + more;
-  const auto& [low, high] = latitudes_.sizes;
-  const auto& [a, b, c] = triangle_;
-  switch (primitive_.kind) {
-    case PrimitiveKind::point:
-      return extra ? point_possibly_covered({a, high}, sample, reach)
-                   : point_possibly_uncovered({a, low}, sample, reach);
-    case PrimitiveKind::line:
-      return extra ? multisampled_line_possibly_covered({a, b}, high, sample, reach)
-                   : multisampled_line_possibly_uncovered({a, b}, low, sample, reach);
-    case PrimitiveKind::triangle:
-      return extra ? triangle_possibly_covered(triangle_, sample, reach)
-                   : triangle_possibly_uncovered(triangle_, sample, reach);
-  }
-  return true;
+  Latitudes latitudes = latitudes_;
+  latitudes.reach = latitudes.reach + more;
+  return extra ? possibly_covered(primitive_, sample, latitudes)
+               : possibly_uncovered(primitive_, sample, latitudes);
 }
 
 // An implementation may draw a point outside the sides of the view volume, or not; exact does not

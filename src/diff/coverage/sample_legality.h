@@ -15,6 +15,7 @@
 
 #include "diff/coverage/coverage_diff.h"
 #include "diff/coverage/legality.h"
+#include "diff/coverage/size_latitude.h"
 #include "diff/coverage/vertex_latitude.h"
 #include "model/scene.h"
 #include "rules/coverage/clip_volume.h"
@@ -47,12 +48,6 @@ class SampleJudge {
   }
 
  private:
-  // How far the vertices may move, and which sizes the primitive may have.
-  struct Latitudes {
-    Fixed reach;
-    SizeRange sizes;
-  };
-
   CoverageLegality judged(const CoverageDifference& difference, Point within, bool wants_reason);
   // By the sample alone.
   CoverageLegality judge(const CoverageDifference& difference, Point within) const;
@@ -84,7 +79,6 @@ class SampleJudge {
   const SampleTerms terms_;
   const Fixed error_;  // by division
   const Latitudes latitudes_;
-  const Triangle triangle_;              // the vertices; of points and lines, the first of them
   std::optional<LoosePolygon> polygon_;  // of a clipped triangle
   const CullingLatitude culling_;
   // Whether it is so elsewhere, by pixel and `extra`, as far as it was asked.

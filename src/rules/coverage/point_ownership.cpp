@@ -60,8 +60,9 @@ Rule point_ownership_rule() {
         "Points: the specification does not say whether the boundary of a point's square belongs "
         "to it. A pixel centre on the boundary, for some position of the vertex less than one "
         "step of 2^-b away (b as in ruling 4), may be covered or not. A size that the renderer's "
-        "GL_POINT_SIZE_GRANULARITY does not include may become any size within half a "
-        "granularity of it, and a multisampled point that is smaller than 1 may be as large as 1 "
+        "GL_POINT_SIZE_GRANULARITY does not include becomes the nearest supported one: one size "
+        "for the whole point, no farther away than the nearest of those that it includes and 1, "
+        "which must be supported. A multisampled point that is smaller than 1 may be as large as 1 "
         "(14.4). Sizes beyond the range that the renderer reports are not requested, so none is "
         "clamped."}}};
 }

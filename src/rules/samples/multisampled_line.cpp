@@ -203,8 +203,9 @@ Rule multisampled_line_rule() {
         "covered if for each side of the rectangle some such moves put it inside that side or on "
         "it, and left out if some put it outside one of them or on it. The rectangle is as wide "
         "as the line, whose width is not rounded; a width that the renderer's "
-        "GL_SMOOTH_LINE_WIDTH_GRANULARITY does not include may become any width within half a "
-        "granularity of it."}}};
+        "GL_SMOOTH_LINE_WIDTH_GRANULARITY does not include becomes the nearest supported one: "
+        "one width for the whole line, no farther away than the nearest of those that it includes "
+        "and 1, which must be supported."}}};
 }
 
 // ---------------------------------------------------------------- the rectangle, rounded to a grid

@@ -6,10 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <string>
+#include <utility>
 
 #include "diff/compare.h"
 #include "diff/coverage/coverage_diff.h"
+#include "diff/coverage/size_latitude.h"
 #include "diff/judge.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
@@ -113,8 +117,13 @@ TEST(SupportedSizes, AreAskedFor) {
   const auto raw = [](double size) {
     return Fixed::from_raw(static_cast<std::int64_t>(size * Fixed::kOne));
   };
+  const auto supported = [](std::map<std::string, std::string> traits) {
+    RendererInfo info;
+    info.traits = std::move(traits);
+    return claims_of(info).sizes;
+  };
   const SupportedSizes reported =
-      supported_sizes({{"point_size_steps", "1 by 0.5"}, {"sampled_line_width_steps", "nonsense"}});
+      supported({{"point_size_steps", "1 by 0.5"}, {"sampled_line_width_steps", "nonsense"}});
   EXPECT_EQ(reported.points.step, 0.5);
   EXPECT_EQ(reported.lines.step, 0);
   const auto range = [&](double size, const SizeSteps& steps) {
@@ -123,7 +132,7 @@ TEST(SupportedSizes, AreAskedFor) {
   };
   EXPECT_EQ(range(2.5, reported.points), (std::pair{2.5, 2.5}));
   EXPECT_EQ(range(2.25, reported.points), (std::pair{2.0, 2.5}));
-  EXPECT_EQ(range(0.125, reported.points), (std::pair{1.0 / Fixed::kOne, 0.375}));
+  EXPECT_EQ(range(0.125, reported.points), (std::pair{1.0 / Fixed::kOne, 1.0}));
   EXPECT_EQ(range(2.25, reported.lines), (std::pair{2.25, 2.25}));
   EXPECT_EQ(range(1, SizeSteps{0.3, 0.7}), (std::pair{1.0, 1.0})) << "1 must be supported";
 
@@ -144,11 +153,61 @@ TEST(SupportedSizes, AreAskedFor) {
     judge({&only, 1}, Latitude::opengl);
     return result.verdict;
   };
-  const SupportedSizes whole = supported_sizes({{"point_size_steps", "1 by 1"}});
+  const SupportedSizes whole = supported({{"point_size_steps", "1 by 1"}});
   for (const double drawn : {3.0, 4.0}) EXPECT_LE(verdict(drawn, whole), Verdict::permitted);
   EXPECT_EQ(verdict(4, {}), Verdict::violation);
   EXPECT_EQ(verdict(5.5, whole), Verdict::violation);
-  EXPECT_EQ(verdict(4, supported_sizes({{"point_size_steps", "1 by 0.5"}})), Verdict::violation);
+  EXPECT_EQ(verdict(4, supported({{"point_size_steps", "1 by 0.5"}})), Verdict::violation);
+}
+
+// Whoever claims steps of 1,000 has no size but 1 near 2.5, and others only if they are as near.
+TEST(SupportedSizes, ExcuseNoMoreThanTheNearest) {
+  const auto raw = [](double size) {
+    return Fixed::from_raw(static_cast<std::int64_t>(size * Fixed::kOne));
+  };
+  const auto range = [&](double size, const char* steps) {
+    RendererInfo info;
+    info.traits["point_size_steps"] = steps;
+    const SizeRange sizes = permitted_sizes(raw(size), claims_of(info).sizes.points);
+    return std::pair{sizes.low.to_double(), sizes.high.to_double()};
+  };
+  EXPECT_EQ(range(2.5, "1 by 1000"), (std::pair{1.0, 4.0}));
+  EXPECT_EQ(range(2.5, "0.5 by 8.5"), (std::pair{1.0, 4.0})) << "1 is supported, too";
+  EXPECT_EQ(range(8, "1 by 8"), (std::pair{7.0, 9.0}));
+  EXPECT_EQ(range(0.5, "0 by 2"), (std::pair{1.0 / Fixed::kOne, 1.0}));
+  for (const char* none : {"9 by 9", "1 by 0", "1 by -1", "-1 by 3", "nan by 1", "1 by inf",
+                           "1 by 3 or so", "1 by", "", "1 by 1e-300"})
+    EXPECT_EQ(range(2.5, none), (std::pair{2.5, 2.5})) << none;
+}
+
+// All samples of a point have one size: one side by the size 1 and another by 4 is neither.
+TEST(SupportedSizes, AreOneForAPoint) {
+  Scene scene = scene_named("strip x-major");
+  scene.draws.resize(1);
+  Draw& draw = scene.draws.front();
+  draw.primitive = Primitive::points;
+  draw.vertices.resize(1);
+  draw.vertices[0].position = pixel_centre(7, 7);
+  const auto of_size = [&](int size) {
+    draw.point_size = Fixed::from_integer(size);
+    return rasterize(scene, {});
+  };
+  const Rendering small = of_size(3);
+  const Rendering large = of_size(7);
+  Rendering ragged = small;
+  for (const Fragment& f : large.fragments)
+    if (f.x > 8 && f.y >= 6 && f.y <= 8) ragged.fragments.push_back(f);
+  std::ranges::sort(ragged.fragments, {}, [](const Fragment& f) { return std::pair(f.y, f.x); });
+  const Rendering exact = of_size(5);
+  const auto is_legally_covered = [&](const Rendering& rendered) {
+    const Result result = compare(scene, {}, exact, rendered, {8, nullptr, {{1, 6}, {}}});
+    return std::ranges::all_of(result.disagreements, [](const Disagreement& d) {
+      return d.kind == DisagreementKind::value || is_legal(d);
+    });
+  };
+  EXPECT_TRUE(is_legally_covered(small)) << "a size that may be supported and is as near as 7";
+  EXPECT_TRUE(is_legally_covered(large));
+  EXPECT_FALSE(is_legally_covered(ragged));
 }
 
 // 14.5.2.2: the fragments of a column share what the line has in its middle, or each has its own:

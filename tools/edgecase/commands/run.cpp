@@ -113,8 +113,8 @@ ExitCode print_list(const Suite& suite) {
 // What --fail-on makes of the exit code that the results deserve. What could not be done stays.
 ExitCode failing_on(const RunCommand& command, const Results& results, ExitCode exit,
                     const std::optional<Comparison>& since) {
-  const bool is_about_answers =
-      exit == ExitCode::as_expected || exit == ExitCode::unexpected || exit == ExitCode::renderer;
+  const bool is_about_answers = exit == ExitCode::as_expected || exit == ExitCode::unexpected ||
+                                exit == ExitCode::renderer || exit == ExitCode::nothing_drawn;
   if (command.fail_on == "violations" || !is_about_answers || results.interrupted) return exit;
   const bool fails = command.fail_on == "changes" && differs(*since);
   return fails ? ExitCode::unexpected : ExitCode::as_expected;

@@ -20,7 +20,8 @@ constexpr std::array kMeanings = {"as expected",
                                   "usage or case error",
                                   "input, output or internal error",
                                   "a renderer is missing, crashed or timed out",
-                                  "nothing is selected"};
+                                  "nothing is selected",
+                                  "a renderer drew nothing of what it was asked for"};
 
 constexpr const char* kInterrupted = "interrupted";
 
@@ -38,7 +39,7 @@ constexpr HelpPage kPages[] = {
      "file, results.zst, "
      "junit.xml and report.html go to out/. An interrupted run keeps the finished cases, and "
      "--resume runs the rest.",
-     "012345", "an answer is unexpected, or a known fault has grown",
+     "0123456", "an answer is unexpected, or a known fault has grown",
      "edgecase run\n"
      "edgecase run lines --against egl:softpipe --html lines.html\n"
      "edgecase run \"triangles/*\" --against \"exec:python3 my_rasterizer.py\" --open\n"
@@ -65,7 +66,7 @@ constexpr HelpPage kPages[] = {
     {"merge", kRun,
      "The cases of all shards are judged anew, as one run. The results are those that a run "
      "without shards would have written.",
-     "012345", "an answer is not as expected, or shards are missing",
+     "0123456", "an answer is not as expected, or shards are missing",
      "edgecase merge 1.zst 2.zst 3.zst 4.zst --html report.html\n"
      "edgecase merge 1.zst 3.zst --partial -o part.zst"},
     {"record", kRun,
