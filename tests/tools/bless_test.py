@@ -4,7 +4,8 @@ change and writes only when asked."""
 import json
 import unittest
 
-from support import AS_EXPECTED, INTERNAL, UNEXPECTED, USAGE, CommandTest, only_result
+from support import (AS_EXPECTED, INTERNAL, NOTHING_DRAWN, UNEXPECTED, USAGE, CommandTest,
+                     only_result)
 
 RENDERER = "egl:softpipe"
 AGAINST = ["--against", RENDERER]
@@ -171,7 +172,7 @@ class Bless(CommandTest):
     def test_a_crash_can_be_known_and_a_refusal_needs_not_be(self):
         self.write("small/a.json", (self.folder / "cases/points/centres.json").read_text("utf-8"))
         refuser = self.odd_renderer("refuse", "", "small")
-        results = self.results("small", "--against", refuser)
+        results = self.results("small", "--against", refuser, expect=NOTHING_DRAWN)
         self.assertEqual(only_result(results["cases"][0])["standing"], "tolerated")
         dies = self.odd_renderer("die", "a", "small")
         self.results("small", "--against", dies, expect=None)

@@ -142,7 +142,7 @@ class HostileWords(CommandTest):
         for words in ("is no key", "title holds a control character"):
             self.assertIn(words, text)
         told = self.told("run", "cases", "--against", self.renderer, "--no-rerun")
-        self.assertIn("Not supported by", told)
+        self.assertIn("drew none of", told)
         told = self.told("run", "cases/name\x1b[2J.json", "--against",
                          self.odd_renderer("die", "", "cases"), "--no-rerun")
         self.assertIn("name\u241b[2J: ", told)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Renderers that tell one lie about everything (liar_kinds.py), each made of the honest answers of
+"""Renderers that tell one lie about everything (liar.py), each made of the honest answers of
 a Mesa driver to the core suite: no answer that a lie made another one agrees."""
 import json
 import pathlib
@@ -12,7 +12,7 @@ from suite_data import in_share
 from support import HERE, SUITE, UNHURRIED, CommandTest
 
 sys.path.insert(0, str(HERE))
-import liar_kinds  # noqa: E402
+import liar  # noqa: E402
 
 DRIVERS = ("egl:llvmpipe", "egl:softpipe", "egl:zink")
 CORE = (SUITE, "--suite", "core")
@@ -26,7 +26,7 @@ class LiarKinds(CommandTest):
         self.exact = self.folder / "exact.jsonl"
         self.command("render", *CORE, "--json", self.exact)
         with self.exact.open(encoding="utf-8") as lines:
-            self.drawn = {rendering["id"]: liar_kinds.digest_of_drawn(rendering)
+            self.drawn = {rendering["id"]: liar.digest_of_drawn(rendering)
                           for rendering in map(json.loads, lines)}
 
     def truth_of(self, driver):
@@ -43,7 +43,7 @@ class LiarKinds(CommandTest):
         words = []
         for kind in kinds:
             pathlib.Path(f"{truth}.{kind}").unlink(missing_ok=True)
-            program = [sys.executable, str(HERE / "liar_kinds.py"), kind, str(truth)]
+            program = [sys.executable, str(HERE / "liar.py"), kind, str(truth)]
             words += ["--against", f"{kind}=exec:{shlex.join(program)}"]
         results = self.results(*CORE, *words, "--no-rerun", *UNHURRIED, expect=None)
         return {kind: {case["id"]: case["results"][kind]["verdict"] for case in results["cases"]}
@@ -54,7 +54,7 @@ class LiarKinds(CommandTest):
         there are. Only if the honest answer differs, a lie may happen to be what exact draws."""
         honest = self.verdicts_of(["honest"], truth)["honest"]
         self.assertGreater(list(honest.values()).count("agree"), 60, "most others differ legally")
-        kinds = [kind for kind in in_share(liar_kinds.KINDS) if kind != "honest"]
+        kinds = [kind for kind in in_share(liar.KINDS) if kind != "honest"]
         wrong, others = [], 0
         for start in range(0, len(kinds), AT_A_TIME):
             for kind, found in self.verdicts_of(kinds[start:start + AT_A_TIME], truth).items():

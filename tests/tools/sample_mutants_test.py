@@ -9,7 +9,8 @@ import sys
 import unittest
 
 from suite_data import in_share
-from support import AS_EXPECTED, HERE, RENDERER, UNEXPECTED, CommandTest, only_result
+from support import (AS_EXPECTED, HERE, NOTHING_DRAWN, RENDERER, UNEXPECTED, CommandTest,
+                     only_result)
 
 SIZE = 16
 # What a renderer need not tell; its resolved pixels are judged by the rest.
@@ -177,7 +178,7 @@ class SampleMutants(CommandTest):
         self.assertEqual(result["verdict"], "contested", result.get("failure"))
 
     def test_samples_that_are_refused(self):
-        result = self.run_fault("refused", case(), AS_EXPECTED)
+        result = self.run_fault("refused", case(), NOTHING_DRAWN)
         self.assertEqual(result["verdict"], "not-run")
         self.assertEqual(result["failure"], {"kind": "unsupported",
                                              "reason": "one sample per pixel is all there is"})
