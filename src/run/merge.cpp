@@ -81,7 +81,10 @@ Difference difference_of_runs(const MergePart& a, const MergePart& b) {
     return RunDifference{fmt::format("{} was judged by {}, {} by {}", a.name, describe(a.results),
                                      b.name, describe(b.results)),
                          "run all shards with one policy"};
-  if (a.results.policy_digest != b.results.policy_digest)
+  // The profile of a renderer that never answered is unknown, and not in the digest.
+  const bool know_the_same = std::ranges::equal(a.results.renderers, b.results.renderers, {},
+                                                has_never_answered, has_never_answered);
+  if (know_the_same && a.results.policy_digest != b.results.policy_digest)
     return RunDifference{
         fmt::format("{} and {} were judged by policies or profiles that differ, though their names "
                     "do not",
@@ -188,8 +191,11 @@ void unite(const std::vector<Diagnostic>& from, std::vector<Diagnostic>& to) {
 }
 
 void add_part(Results part, Results& whole) {
-  for (std::size_t r = 0; r < whole.renderers.size(); ++r)
-    if (has_never_answered(whole.renderers[r])) whole.renderers[r] = std::move(part.renderers[r]);
+  for (std::size_t r = 0; r < whole.renderers.size(); ++r) {
+    if (!has_never_answered(whole.renderers[r])) continue;
+    if (!has_never_answered(part.renderers[r])) whole.policy_digest = part.policy_digest;
+    whole.renderers[r] = std::move(part.renderers[r]);
+  }
   whole.cases.merge(std::move(part.cases));
   unite(part.diagnostics, whole.diagnostics);
   whole.interrupted = whole.interrupted || part.interrupted;

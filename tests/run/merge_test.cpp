@@ -204,5 +204,19 @@ TEST(Merge, RunsOfDifferentCasesNeedNoShards) {
   EXPECT_FALSE(whole.whole_suite);
 }
 
+// Its profile is in the digest of the part that knows what it is.
+TEST(Merge, APartInWhichARendererNeverAnsweredHasNotItsProfile) {
+  for (const std::size_t silent : {0U, 1U}) {
+    std::vector<MergePart> parts = {shard(0, 2), shard(1, 2)};
+    for (MergePart& part : parts) part.results.policy_digest = "with its profile";
+    parts[silent].results.renderers[0] = {"fake", "", "", "", 4, {}};
+    parts[silent].results.policy_digest = "without";
+    const auto merged = merge_results(parts, false);
+    ASSERT_TRUE(std::holds_alternative<Results>(merged)) << std::get<std::string>(merged);
+    EXPECT_EQ(std::get<Results>(merged).policy_digest, "with its profile");
+    EXPECT_EQ(std::get<Results>(merged).renderers[0].device, "device");
+  }
+}
+
 }  // namespace
 }  // namespace edgecase
