@@ -107,10 +107,10 @@ void read_word_runs(std::string_view text, std::size_t size,
   std::size_t read = 0;
   for (Scanner scanner(text); !scanner.is_at_end(); scanner.separate()) {
     const auto word = scanner.number(16, std::numeric_limits<std::uint32_t>::max());
-    const std::size_t count = scanner.times('*', size - read);
-    if (count > size - read) scanner.refuse();
-    take(word, count);
-    read += count;
+    const std::size_t left = read < size ? size - read : 0;
+    const std::size_t count = scanner.times('*', left);
+    if (count <= left) take(word, count);
+    read += count;  // those that are too many are only counted
   }
   if (read != size)
     throw std::runtime_error(fmt::format("{} words stand where {} should", read, size));
