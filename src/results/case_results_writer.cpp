@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "results/findings_json.h"
+#include "results/packed_picture.h"
 #include "results/packed_text.h"
 #include "results/samples_json.h"
 #include "rules/all_rules.h"

@@ -49,15 +49,16 @@ class Claims(Program):
             target={"width": 9, "height": 9, "clear": [0, 0, 0, 1]},
             draws=[{"primitive": "points", "vertices": [[4.5, 4.5]], "color": [1, 1, 1, 1],
                     "state": {"point_size": 2.5}}]))
-        results = self.results("cases", "--no-rerun", "--against",
-                               self.program(POINTS, str(size), json.dumps(claims)), expect=None)
-        return verdicts(results)["point"]
+        program = self.program(POINTS, str(size), json.dumps(claims))
+        self.found = self.results("cases", "--no-rerun", "--against", program, expect=None)
+        return verdicts(self.found)["point"]
 
     def test_steps_excuse_the_nearest_size_alone(self):
         steps = {"traits": {"point_size_steps": "1 by 1000"}}
         self.assertEqual(self.verdict(9, **steps), "violation")
         self.assertEqual(self.verdict(7, **steps), "violation")
         self.assertEqual(self.verdict(1, **steps), "permitted", "1 is the nearest")
+        self.assertIn("with a size of 1 to 4, puts the sample outside", json.dumps(self.found))
         self.assertEqual(self.verdict(1), "violation", "all sizes are supported")
         self.assertNotIn("Not believed", self.summary)
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/numeral.h"
 #include "rules/coverage/point_ownership.h"
 
 namespace edgecase {
@@ -19,6 +20,12 @@ std::string move_of(Fixed error, int bits) {
   if (error != Fixed())
     text += fmt::format(" and {:.2g} by the division by w (ruling 15)", error.to_double());
   return text;
+}
+
+// ", with a size of 1 to 4,": the sizes that an unsupported one may become.
+std::string text_of(const SizeRange& sizes) {
+  if (sizes.low == sizes.high) return "";
+  return fmt::format(", with a size of {} to {},", to_decimal(sizes.low), to_decimal(sizes.high));
 }
 
 // The reason why no primitive may cover the sample, wherever it lies; none if there is no reason.
@@ -135,8 +142,10 @@ CoverageLegality SampleJudge::judge(const CoverageDifference& difference, Point 
   result.ruling = point ? 6 : line ? 28 : 4;
   result.legal = is_possible(sample, extra);
   result.reason = reason([&] {
-    return fmt::format("{} move of the {} by {} {} the sample {}", result.legal ? "some" : "no",
+    const bool is_sized = primitive_.kind != PrimitiveKind::triangle;
+    return fmt::format("{} move of the {} by {}{} {} the sample {}", result.legal ? "some" : "no",
                        point ? "vertex" : "vertices", move_of(error_, terms_.bits),
+                       is_sized ? text_of(latitudes_.sizes) : "",
                        result.legal ? "puts" : "could put",
                        extra ? "inside or on the boundary" : "outside or on the boundary");
   });
