@@ -37,7 +37,6 @@ class CoverageComparison {
 
   void run() {
     for (const ScenePrimitive& primitive : context_.primitives) {
-      sizes_ = sizes_that_excuse(primitive, coverage_of(primitive), context_);
       compare_with_policy(primitive);
       if (context_.latitude == Latitude::opengl) compare_samples_with_specification(primitive);
     }
@@ -99,10 +98,8 @@ class CoverageComparison {
     const PrimitiveCoverage& coverage = coverage_of(primitive);
     CauseQuestion question = question_about(primitive);
     const std::size_t found = add_differences(primitive);
-    if (found == 0) {
-      if (context_.refute) mark_refuted(question, coverage, result_.refuted);
-      return;
-    }
+    if (found == 0 && context_.refute) mark_refuted(question, coverage, result_.refuted);
+    if (found == 0) return;
     question.is_gross = found > kMostInFull;
     Result::Evidence evidence;
     evidence.primitive = primitive.index;
@@ -183,7 +180,8 @@ class CoverageComparison {
   }
 
   SampleTerms terms_of(const ScenePrimitive& primitive) const {
-    return {context_.bits, sizes_, is_multisampled(primitive), is_missing(primitive)};
+    const SupportedSizes sizes = sizes_that_excuse(primitive, coverage_of(primitive), context_);
+    return {context_.bits, sizes, is_multisampled(primitive), is_missing(primitive)};
   }
 
   // True if nothing of the primitive was drawn.
@@ -389,7 +387,6 @@ class CoverageComparison {
   std::map<int, Cause> excused_causes_;                           // by primitive
   std::map<int, std::vector<CoverageDifference>> from_standard_;  // by primitive
   std::map<int, std::set<SamplePlace>> excused_;                  // by primitive
-  SupportedSizes sizes_;  // that excuse the primitive at hand
   Result& result_;
 };
 

@@ -186,6 +186,32 @@ Texel TextureLookups::accessible_texels(const Fragment& fragment) const {
   return hull_of(texels);
 }
 
+// What the texels of a generated chain that the renderer does not report may be: a component that
+// is the same in all of level 0 stays so, to a code of 8 bits or a part of 10^5 (ruling 25), and no
+// filter leaves the format's range. A code of sRGB is at most 2.3 codes of what it stands for.
+Texel TextureLookups::texels_of_unknown_chain(const Fragment& fragment) const {
+  const OfDraw& draw = draw_of(fragment);
+  const TextureFormat format = draw.texture->format;
+  const double code = (format == TextureFormat::srgb8 ? 2.3 : 1.0) / 255;
+  const std::vector<Texel>& given = draw.decoded->levels.front().texels;
+  Texel texels = given.front();
+  for (std::size_t c = 0; c < texels.size(); ++c) {
+    const bool is_constant = std::ranges::all_of(given, [&](const Texel& texel) {
+      return texel[c].low == texels[c].low && texel[c].high == texels[c].high;
+    });
+    const double error = holds_floats(format) ? texels[c].magnitude() * 1e-5 : code;
+    if (is_constant)
+      texels[c] = known({texels[c].low - error, texels[c].high + error});
+    else
+      texels[c] = holds_floats(format) ? Interval::everything() : Interval(0, 1);
+  }
+  const auto& wrap = draw.use->sampler.wrap;
+  if (std::ranges::find(wrap, Wrap::clamp_to_border) == wrap.end()) return texels;
+  const Texel border = decode_border(draw.use->sampler.border, format);
+  for (std::size_t c = 0; c < texels.size(); ++c) texels[c] = hull(texels[c], border[c]);
+  return texels;
+}
+
 // sRGB texels may be decoded before or after they are filtered (ruling 24).
 Texels TextureLookups::permitted_samples(const Fragment& fragment, Reach reach) {
   const TextureUse& use = use_of(fragment);
