@@ -305,7 +305,7 @@ TEST(Annotations, EscapeWhatWouldEndThem) {
   const std::string text = annotations_of(results);
   EXPECT_EQ(lines_in(text), 1u);
   EXPECT_THAT(text, StartsWith("::error file=cases/a%2Cb%3Ac%25d.json,line=1,title=a%2Cb%3Ac%25d"));
-  EXPECT_THAT(text, HasSubstr("100 %25%0A::error::no%0A"));
+  EXPECT_THAT(text, HasSubstr("100 %25%0A: :error::no%0A"));
 }
 
 TEST(Annotations, TheHeaviestTenAndHowManyMore) {
