@@ -14,10 +14,10 @@
 #include <utility>
 #include <vector>
 
-#include "diff/add_disagreement.h"
 #include "diff/coverage/coverage_compare.h"
 #include "diff/coverage/coverage_diff.h"
 #include "diff/coverage/legality.h"
+#include "diff/findings/add_disagreement.h"
 #include "diff/output/operations_compare.h"
 #include "diff/samples/sample_values.h"
 #include "diff/textures/texture_lookups.h"

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "diff/add_disagreement.h"
 #include "diff/coverage/legality.h"
-#include "diff/patience.h"
+#include "diff/findings/add_disagreement.h"
+#include "diff/findings/patience.h"
 #include "diff/textures/untold_colors.h"
 #include "diff/values/pixel_values.h"
 #include "diff/values/value_diff.h"

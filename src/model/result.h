@@ -111,8 +111,8 @@ struct Result : ResultOutline {
     int pass = -1;  // index if the scene is supersampled; otherwise -1
   };
 
-  // In full: of gross faults only the first (diff/add_disagreement.h). Sorted by pixel, primitive,
-  // kind.
+  // In full: of gross faults only the first (diff/findings/add_disagreement.h). Sorted by pixel,
+  // primitive, kind.
   std::vector<Disagreement> disagreements;
   // The rest. An answer without disagreements in full has none.
   std::vector<CountedDisagreements> counted;

@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "diff/compare.h"
-#include "diff/patience.h"
+#include "diff/findings/patience.h"
 #include "raster/rasterizer.h"
 
 namespace edgecase {

@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "diff/findings/patience.h"
 #include "diff/judge.h"
-#include "diff/patience.h"
 #include "model/threads.h"
 #include "run/comparing.h"
 #include "run/judging.h"

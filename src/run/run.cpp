@@ -16,7 +16,7 @@
 #include <utility>
 #include <variant>
 
-#include "diff/patience.h"
+#include "diff/findings/patience.h"
 #include "model/threads.h"
 #include "results/standing.h"
 #include "run/answer_digest.h"

@@ -42,7 +42,7 @@ ALLOWED = {
 # The folders within a module, lowest first; "" is its top. Each may include from those before it.
 ROOMS = {
     "casefile": ("json", "mesh", "scene", "sweep", ""),
-    "diff": ("coverage", "values", "output", "samples", "textures", ""),
+    "diff": ("findings", "coverage", "values", "output", "samples", "textures", ""),
     "profile": ("evidence", "coverage", "clipping", "values", "textures", "samples", "output", ""),
 }
 

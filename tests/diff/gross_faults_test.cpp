@@ -2,7 +2,7 @@
 //
 // Gross faults: beyond the first disagreements in full, the rest are counted, and judged as if each
 // were in full.
-#include "diff/add_disagreement.h"
+#include "diff/findings/add_disagreement.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "diff/patience.h"
+#include "diff/findings/patience.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
 #include "tests/diff/named_scenes.h"

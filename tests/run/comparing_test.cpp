@@ -7,7 +7,7 @@
 #include <chrono>
 #include <optional>
 
-#include "diff/patience.h"
+#include "diff/findings/patience.h"
 #include "raster/rasterizer.h"
 
 namespace edgecase {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "diff/patience.h"
+#include "diff/findings/patience.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "rules/choices.h"

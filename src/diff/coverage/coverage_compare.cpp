@@ -10,14 +10,14 @@
 #include <tuple>
 #include <utility>
 
-#include "diff/add_disagreement.h"
 #include "diff/coverage/cause.h"
 #include "diff/coverage/legality.h"
 #include "diff/coverage/neighbour_faults.h"
 #include "diff/coverage/sample_legality.h"
 #include "diff/coverage/shared_edge_blame.h"
 #include "diff/coverage/size_latitude.h"
-#include "diff/patience.h"
+#include "diff/findings/add_disagreement.h"
+#include "diff/findings/patience.h"
 #include "raster/attributes.h"
 #include "raster/rasterizer.h"
 #include "raster/samples.h"

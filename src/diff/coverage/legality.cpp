@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "diff/coverage/vertex_latitude.h"
-#include "diff/patience.h"
+#include "diff/findings/patience.h"
 #include "raster/coverage_stages.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "diff/coverage/vertex_latitude.h"
-#include "diff/patience.h"
+#include "diff/findings/patience.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/line_joints.h"

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "diff/patience.h"
+#include "diff/findings/patience.h"
 #include "raster/coverage_stages.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "diff/add_disagreement.h"
 #include "diff/coverage/sample_legality.h"
+#include "diff/findings/add_disagreement.h"
 
 namespace edgecase {
 namespace {

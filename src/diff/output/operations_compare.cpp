@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "diff/add_disagreement.h"
+#include "diff/findings/add_disagreement.h"
+#include "diff/findings/patience.h"
 #include "diff/output/operations_causes.h"
 #include "diff/output/operations_question.h"
-#include "diff/patience.h"
 #include "rules/all_rules.h"
 #include "rules/values/framebuffer.h"
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "diff/add_disagreement.h"
+#include "diff/findings/add_disagreement.h"
 #include "diff/samples/sample_values.h"
 #include "diff/values/pixel_values.h"
 #include "diff/values/sample_writers.h"

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "diff/add_disagreement.h"
+#include "diff/findings/add_disagreement.h"
+#include "diff/findings/patience.h"
 #include "diff/output/operations_compare.h"
-#include "diff/patience.h"
 #include "diff/samples/sample_values.h"
 #include "diff/values/pixel_values.h"
 #include "raster/samples.h"

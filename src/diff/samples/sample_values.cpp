@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "diff/add_disagreement.h"
+#include "diff/findings/add_disagreement.h"
 #include "diff/values/pixel_values.h"
 #include "diff/values/sample_writers.h"
 #include "rules/samples/resolve.h"

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "diff/add_disagreement.h"
+#include "diff/findings/add_disagreement.h"
 #include "diff/textures/texture_lookups.h"
 #include "exact/interval.h"
 #include "rules/all_rules.h"

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "diff/add_disagreement.h"
-#include "diff/patience.h"
+#include "diff/findings/add_disagreement.h"
+#include "diff/findings/patience.h"
 #include "diff/textures/texture_ways.h"
 #include "rules/all_rules.h"
 

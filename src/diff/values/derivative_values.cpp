@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "diff/add_disagreement.h"
+#include "diff/findings/add_disagreement.h"
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
 #include "diff/values/value_judge.h"

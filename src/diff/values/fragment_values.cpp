@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "diff/add_disagreement.h"
-#include "diff/patience.h"
+#include "diff/findings/add_disagreement.h"
+#include "diff/findings/patience.h"
 #include "diff/values/drawn_fragments.h"
 #include "diff/values/sample_writers.h"
 #include "diff/values/value_causes.h"

@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "diff/add_disagreement.h"
-#include "diff/patience.h"
+#include "diff/findings/add_disagreement.h"
+#include "diff/findings/patience.h"
 #include "diff/values/sample_writers.h"
 #include "diff/values/value_diff.h"
 #include "diff/values/value_judge.h"

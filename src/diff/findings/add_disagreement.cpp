@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "diff/add_disagreement.h"
-#include "diff/patience.h"
+#include "diff/findings/add_disagreement.h"
+#include "diff/findings/patience.h"
 
 #include <algorithm>
 #include <ranges>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "diff/patience.h"
+#include "diff/findings/patience.h"
 
 namespace edgecase {
 namespace {
