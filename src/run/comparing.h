@@ -41,8 +41,8 @@ class CaseComparison {
 
   // Compares the answer of renderer `info` to the case, which is the one at `index`. What fails in
   // comparing costs this answer alone: it is not run, by a fault of ours. Nor is it where comparing
-  // takes longer than its patience. Throws ComparisonStopped (diff/findings/patience.h) once options.stop is
-  // true.
+  // takes longer than its patience. Throws ComparisonStopped (diff/findings/patience.h) once
+  // options.stop is true.
   Result compare_outcome(std::size_t index, const Case& one, Outcome outcome,
                          const RendererInfo& info);
 

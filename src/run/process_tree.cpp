@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -18,6 +19,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace edgecase {
@@ -34,8 +36,9 @@ struct Programs {
   std::set<pid_t> strangers;  // children of ours that are no program's, such as a browser
 };
 
+// Never destroyed: a static renderer may end its program after all that was made later is gone.
 Programs& programs() {
-  static Programs all;
+  static Programs& all = *new Programs;
   return all;
 }
 
@@ -100,6 +103,26 @@ void kill_if_still(const Descendant& one) {
   close(descriptor);
 }
 
+// Whether the process has ended. One that is our child by now is reaped then.
+bool has_ended(const Descendant& one, const Programs& all) {
+  const auto parent = parent_of(folder_of(one.process));
+  if (!parent || all.running.contains(one.process)) return true;
+  if (*parent == getpid()) return waitpid(one.process, nullptr, WNOHANG) == one.process;
+  return *parent != one.parent;
+}
+
+// Waits for what the end of its program ends, too: who drives a browser leaves a process that
+// removes the browser's folder. Not for long: another one may mean to stay.
+void await_end_of(const std::vector<Descendant>& below, const Programs& all) {
+  constexpr std::chrono::milliseconds kNap{10};
+  constexpr int kMostNaps = 200;
+  for (int nap = 0; nap < kMostNaps; ++nap) {
+    if (std::ranges::all_of(below, [&](const Descendant& one) { return has_ended(one, all); }))
+      return;
+    std::this_thread::sleep_for(kNap);
+  }
+}
+
 int reap(pid_t process) {
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
@@ -114,12 +137,22 @@ std::vector<pid_t> own_children(const Children& children) {
   return found;
 }
 
-// Kills the children that no program of ours is, with their descendants.
+// Our children that are neither programs nor strangers.
+std::vector<pid_t> orphans_among(const Children& children, const Programs& all) {
+  std::vector<pid_t> orphans = own_children(children);
+  std::erase_if(orphans, [&](pid_t child) { return all.strangers.contains(child); });
+  return orphans;
+}
+
+// Kills the orphans that do not end by themselves, with their descendants.
 void end_orphans(const Programs& all) {
+  std::vector<Descendant> left;
+  for (const pid_t orphan : orphans_among(children_of_all(), all))
+    left.push_back({getpid(), orphan});
+  await_end_of(left, all);
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     const Children children = children_of_all();
-    std::vector<pid_t> orphans = own_children(children);
-    std::erase_if(orphans, [&](pid_t child) { return all.strangers.contains(child); });
+    const std::vector<pid_t> orphans = orphans_among(children, all);
     if (orphans.empty()) return;
     for (const pid_t orphan : orphans) {
       for (const Descendant& one : descendants_of(orphan, children)) kill_if_still(one);
@@ -149,9 +182,10 @@ int end_program(pid_t program) {
   const std::lock_guard lock(all.mutex);
   const std::vector<Descendant> below = descendants_of(program, children_of_all());
   ::kill(-program, SIGKILL);
-  for (const Descendant& one : below) kill_if_still(one);
   const int status = reap(program);
   all.running.erase(program);
+  await_end_of(below, all);
+  for (const Descendant& one : below) kill_if_still(one);
   if (!all.running.empty()) return status;
   end_orphans(all);
   prctl(PR_SET_CHILD_SUBREAPER, 0, 0, 0, 0);

@@ -16,9 +16,10 @@ namespace edgecase {
 // here on.
 int start_program(const std::function<int(pid_t&)>& start, pid_t& program);
 
-// Kills the program's group and its descendants, reaps the program, and returns its status as
-// waitpid gives it. What lost its parent cannot be told from what other programs lost: it is killed
-// with the last of the programs that start_program() started.
+// Kills the program's group, and reaps the program; kills those of its descendants that do not end
+// with it, within two seconds. Returns its status as waitpid gives it. What lost its parent cannot
+// be told from what other programs lost: it is killed with the last of the programs that
+// start_program() started.
 int end_program(pid_t program);
 
 }  // namespace edgecase

@@ -145,10 +145,10 @@ class Believed(JournalTest):
         return subprocess.run(["zstd", "-q"], input=lines.encode(), capture_output=True,
                               check=True).stdout
 
-    def check_refused(self, reason, path=JOURNAL, **variables):
+    def check_refused(self, reason, path=JOURNAL, project="", **variables):
         self.assertEqual(
             self.go_on(expect=USAGE, **variables),
-            f"edgecase: --resume does not go on with {path}, which nobody has named: {reason}; if "
+            f"{project}edgecase: --resume does not go on with {path}, which nobody has named: {reason}; if "
             f"you trust it, name the results with --json {OUT}, or else remove it\n")
 
     def test_what_no_run_of_the_user_wrote(self):
@@ -190,9 +190,9 @@ class Believed(JournalTest):
         self.assertIn("8 of 8 cases are taken over", self.go_on("--json", OUT))
 
     def test_a_project_does_not_name(self):
-        self.write("edgecase.toml", f'[outputs]\njson = "{OUT}"\n')
+        file = self.write("edgecase.toml", f'[outputs]\njson = "{OUT}"\n')
         self.kill()
-        self.check_refused("CI is set", CI="1")
+        self.check_refused("CI is set", project=f"edgecase: the project is {file}\n", CI="1")
 
     def test_a_link_is_replaced(self):
         victim = self.write("victim", "untouched")

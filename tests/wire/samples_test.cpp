@@ -171,6 +171,7 @@ Rendering two_planes() {
 Scene scene_of_planes() {
   Scene scene = two_samples();
   scene.target.depth = DepthFormat::depth24;
+  scene.target.sample_positions.clear();
   return scene;
 }
 
@@ -246,6 +247,15 @@ TEST(SampleAnswers, PositionsAreTakenToTheNearestMultiples) {
   EXPECT_EQ(positions("[0.1,0.3]"), point_of(6554, 19661));
   EXPECT_EQ(positions("[0,0.000007]"), point_of(0, 0));
   EXPECT_EQ(positions("[0.000008,0.99999999]"), point_of(1, 65535));
+}
+
+TEST(SampleAnswers, PositionsAreThoseThatTheSceneRequires) {
+  Scene scene = scene_of_planes();
+  const std::string line = answer_line(kDigest, two_planes(), nullptr);
+  scene.target.sample_positions = two_planes().sample_positions;
+  EXPECT_TRUE(std::holds_alternative<Answer>(parse(line, scene)));
+  std::swap(scene.target.sample_positions[0], scene.target.sample_positions[1]);
+  EXPECT_THAT(message_of(line, scene), HasSubstr("elsewhere than the scene requires"));
 }
 
 // What is written to a sample is decided after the shader.

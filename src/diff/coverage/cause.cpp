@@ -43,9 +43,9 @@ class Witness {
     if (state_.scissor && !pixels_in(*state_.scissor).contains(pixel)) box.width = 0;
     state_.scissor = box;
     for (const auto& pixels : drawn) {
-      const auto [first, last] =
-          std::ranges::equal_range(pixels, std::pair(pixel.y, pixel.x), {},
-                                   [](PixelPosition p) { return std::pair(p.y, p.x); });
+      const auto [first, last] = std::equal_range(
+          pixels.begin(), pixels.end(), pixel,
+          [](auto a, auto b) { return std::pair(a.y, a.x) < std::pair(b.y, b.x); });
       drawn_.emplace_back(first, last);
     }
   }

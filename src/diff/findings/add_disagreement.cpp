@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "diff/findings/add_disagreement.h"
-#include "diff/findings/patience.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 #include <vector>
+
+#include "diff/findings/patience.h"
 
 namespace edgecase {
 namespace {
@@ -23,11 +23,11 @@ bool lacks_examples(const Result& result, const DisagreementClass& of) {
 // The counted ones of the class; null if there are none yet. Neighbours are mostly of one class, so
 // the latest comes first.
 CountedDisagreements* find_counted(Result& result, const DisagreementClass& of) {
-  const auto latest = std::views::reverse(result.counted);
-  const auto found = std::ranges::find_if(latest, [&](const CountedDisagreements& counted) {
-    return static_cast<const DisagreementClass&>(counted) == of;
-  });
-  return found != latest.end() ? &*found : nullptr;
+  const auto found = std::find_if(result.counted.rbegin(), result.counted.rend(),
+                                  [&](const CountedDisagreements& counted) {
+                                    return static_cast<const DisagreementClass&>(counted) == of;
+                                  });
+  return found != result.counted.rend() ? &*found : nullptr;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "diff/compare.h"
+#include "diff/coverage/cause.h"
 #include "diff/judge.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"

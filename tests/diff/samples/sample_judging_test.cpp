@@ -189,7 +189,7 @@ TEST(SampleJudging, OneHitTooManyIsToldOfItsSampleAlone) {
     const Result result = judged(scene, rendering);
     ASSERT_EQ(result.disagreements.size(), 1u);
     const Disagreement& d = result.disagreements.front();
-    EXPECT_EQ(PixelPosition(d.x, d.y), pixel);
+    EXPECT_EQ((PixelPosition{d.x, d.y}), pixel);
     EXPECT_EQ(d.sample, 0);
     EXPECT_EQ(d.rendered, std::vector<double>{2});
   }
