@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The example rasterizer with a fault of coverage: faulty_rasterizer.py FAULT
+"""The example rasterizer with a fault: faulty_rasterizer.py FAULT
 
 FAULT is `none`, or `first-vertex` (which is how a policy may have it: the first vertex provokes,
 whatever the scene says), or one of these.
@@ -10,7 +10,17 @@ whatever the scene says), or one of these.
   4-bits-for-8  the same, but it says that they are kept to 1/256 pixel
   shared-twice  a sample on an edge belongs to every triangle that has the edge
   mirrored      what is drawn stands upside down in the target
+
+These are the roots that `edgecase backends` tells.
+  pixels-mirrored, fragments-mirrored  only these stand upside down
+  bgr, bgr-clear   red and blue are exchanged, everywhere or in the clear colour
+  nothing          nothing is drawn
+  no-pixels, no-fragments              what is drawn is told without these
+  no-clockwise, no-counterclockwise    these triangles are culled where no facing is to be culled
+  254              colours are stored with 254 in place of 255
+  early, early-depth                   what fails a test, or the depth test, is not listed
 """
+import functools
 import io
 import json
 import os
@@ -21,6 +31,7 @@ from fractions import Fraction
 ROOT = pathlib.Path(os.environ.get("EDGECASE_ROOT", pathlib.Path(__file__).parents[2]))
 sys.path.insert(0, str(ROOT / "reference" / "examples"))
 requests, sys.stdin = sys.stdin, io.StringIO()  # the example answers what it finds when it starts
+import fragment_operations  # noqa: E402
 import rasterizer  # noqa: E402
 
 SUBPIXEL_BITS = {"4-bits": 4, "4-bits-for-8": 8}
@@ -92,34 +103,116 @@ SPOILT = {"last-pixel": ("line", last_pixel), "leftward": ("line", leftward),
           "4-bits": ("window", snapped), "4-bits-for-8": ("window", snapped)}
 
 
-def upside_down(reply, target):
+def upside_down(reply, target, pixels=True, fragments=True):
     """What is told of pixels, and of samples, whose places within pixels stay."""
     width, height = target["width"], target["height"]
+    if not pixels or not fragments:
+        reply.pop("hits", None)
     for key, numbers in (("pixels", 4), ("sample_pixels", 4), ("depths", 1), ("stencils", 1),
                          ("hits", 1)):
-        if key in reply:
+        if pixels and key in reply:
             row = numbers * width
             rows = [reply[key][at:at + row] for at in range(0, len(reply[key]), row)]
             planes = [rows[at:at + height] for at in range(0, len(rows), height)]
             reply[key] = [n for plane in planes for line in reversed(plane) for n in line]
-    for fragment in reply.get("fragments", []):
+    for fragment in reply.get("fragments", []) if fragments else []:
         fragment["y"] = height - 1 - fragment["y"]
         if "coordinates" in fragment:
             fragment["coordinates"][1] = height - fragment["coordinates"][1]
-    return reply
+
+
+def exchange(numbers):
+    """Red and blue of each four numbers."""
+    numbers[::4], numbers[2::4] = numbers[2::4], numbers[::4]
+
+
+# What is done to the scene before it is drawn.
+
+def clear_exchanged(scene):
+    exchange(scene["target"]["clear"])
+
+
+def cull(facing):
+    def spoil(scene):
+        for draw in scene["draws"]:
+            draw.setdefault("cull", facing)
+    return spoil
+
+
+def first_provokes(scene):
+    for draw in scene["draws"]:
+        draw["provoking_vertex"] = "first"
+
+
+BEFORE = {"first-vertex": first_provokes, "top-right": first_provokes,
+          "bgr-clear": clear_exchanged, "nothing": lambda scene: scene.update(draws=[]),
+          "no-clockwise": cull("back"), "no-counterclockwise": cull("front")}
+
+
+# What is done to the answer, which is no refusal.
+
+def exchanged(reply, target):
+    for key in ("pixels", "sample_pixels"):
+        exchange(reply.get(key, []))
+
+
+def without_pixels(reply, target):
+    for key in ("pixels", "sample_pixels"):
+        if key in reply:
+            reply[key] = fragment_operations.unorm(target["clear"]) * (len(reply[key]) // 4)
+
+
+def without_fragments(reply, target):
+    reply.pop("hits", None)
+    reply["fragments"] = []
+
+
+def early(*tests):
+    """Whether a fragment passes is seen where it meets a buffer, once if there is one sample."""
+    passes = []
+
+    class Watched(fragment_operations.Buffers):
+        def __init__(self, *arguments):
+            super().__init__(*arguments)
+            passes.clear()
+
+        def meet(self, index, *rest):
+            before = self.hits[index]
+            super().meet(index, *rest)
+            passes.append(self.hits[index] > before)
+
+    def spoil(reply, target):
+        if target["samples"] == 1 and any(test in target for test in tests):
+            reply["fragments"] = [fragment for fragment, passed in zip(reply["fragments"], passes)
+                                  if passed]
+    spoil.buffers = Watched
+    return spoil
+
+
+AFTER = {"mirrored": upside_down, "bgr": exchanged, "no-pixels": without_pixels,
+         "no-fragments": without_fragments, "early": early("depth", "stencil"),
+         "early-depth": early("depth"),
+         "pixels-mirrored": functools.partial(upside_down, fragments=False),
+         "fragments-mirrored": functools.partial(upside_down, pixels=False)}
 
 
 def main():
     (fault,) = sys.argv[1:]
+    before, after = BEFORE.get(fault), AFTER.get(fault)
     if fault in SPOILT:
         setattr(rasterizer, *SPOILT[fault])
+    if fault == "254":
+        fragment_operations.unorm = lambda color: [
+            int(n * 254.99) for n in fragment_operations.clamped(color)]
+    rasterizer.Buffers = getattr(after, "buffers", rasterizer.Buffers)
     for request in map(json.loads, requests):
-        if fault in ("first-vertex", "top-right"):
-            for draw in request["scene"]["draws"]:
-                draw["provoking_vertex"] = "first"
-        reply = rasterizer.answer(request["scene"])
-        if fault == "mirrored":
-            reply = upside_down(reply, request["scene"]["target"])
+        reply = rasterizer.refusal(request)
+        if not reply:
+            if before:
+                before(request["scene"])
+            reply = rasterizer.answer(request["scene"])
+        if after and "not_run" not in reply:
+            after(reply, request["scene"]["target"])
         reply["digest"] = request["digest"]
         reply["renderer"] = {"device": fault, "subpixel_bits": SUBPIXEL_BITS.get(fault, 16)}
         print(json.dumps(reply), flush=True)

@@ -121,13 +121,14 @@ Examinations examine(const std::vector<ProcessSpec>& specs, const BackendsComman
   return all;
 }
 
-// The exit code of examinations: 4 if a program does not start, 1 if a check fails. A program that
-// was not asked before an interruption has done neither.
+// The exit code of examinations: 4 if a program does not start, 1 if a check fails or a root is
+// found. A program that was not asked before an interruption has done neither.
 ExitCode examined_exit_code(const Examinations& examinations) {
   ExitCode code = ExitCode::as_expected;
   for (const auto& [name, examination] : examinations) {
     if (!examination.started && !examination.checks.empty()) code = worse(code, ExitCode::renderer);
-    if (examination.count(CheckOutcome::fail) > 0) code = worse(code, ExitCode::unexpected);
+    if (examination.count(CheckOutcome::fail) > 0 || !examination.roots.empty())
+      code = worse(code, ExitCode::unexpected);
   }
   return code;
 }

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "tools/edgecase/protocol/pictures.h"
+#include "tools/edgecase/protocol/roots.h"
 #include "tools/edgecase/protocol/scenes.h"
 #include "tools/edgecase/protocol/session.h"
 #include "wire/request_line.h"
@@ -25,12 +25,14 @@ using std::chrono::milliseconds;
 constexpr milliseconds kQuiet{150};
 constexpr milliseconds kFarewell{2'000};
 
-constexpr const char* kRefuse =
-    R"(answer {"digest": ..., "not_run": "a reason"} where a scene asks for what you do not do)";
+constexpr const char* kIgnore = R"(ignore unknown keys beside "scene")";
 constexpr const char* kStayAlive =
     "answer every request with one line, and go on reading; what it wrote to standard error may "
     "say "
     "why it did not";
+constexpr const char* kListAll =
+    "list every fragment that the rasterizer makes; a test only decides what is stored";
+constexpr const char* kRootFirst = "put the root right first; this may follow from it";
 constexpr const char* kFollow = "compare the answer with \"The answer\" in reference/PROTOCOL.md";
 
 // The result of a check.
@@ -38,10 +40,17 @@ struct CheckResult {
   CheckOutcome outcome = CheckOutcome::pass;
   std::string finding;
   std::string remedy;
+  bool of_picture = false;  // of `fail`: judged by what is drawn, not by the answer's form
 };
 
 CheckResult failed(std::string finding, std::string remedy) {
   return {CheckOutcome::fail, std::move(finding), std::move(remedy)};
+}
+
+// The result of a check of what is drawn.
+CheckResult by_picture(const std::optional<Fault>& fault) {
+  return fault ? CheckResult{CheckOutcome::fail, fault->finding, fault->remedy, true}
+               : CheckResult{};
 }
 
 // The result for a reply that is neither a rendering nor a refusal.
@@ -61,10 +70,6 @@ CheckResult by_kind(const Reply& reply) {
   return no_answer(reply);
 }
 
-CheckResult by_fault(const std::optional<PictureFault>& fault) {
-  return fault ? failed(fault->finding, fault->remedy) : CheckResult{};
-}
-
 class Examiner {
  public:
   Examiner(const Command& command, milliseconds patience, const std::atomic<bool>* stop)
@@ -78,22 +83,53 @@ class Examiner {
     examine_lines();
     examine_drawings();
     for (const FeatureScene& feature : feature_scenes())
-      check("draws or refuses " + feature.name, [&] { return optional_feature(feature); });
+      check("draws or refuses " + feature.name, feature.name,
+            [&] { return optional_feature(feature); });
+    find_roots();
     examine_names();
     check("ends when its input does, with exit status 0", [&] { return ends(); });
     return std::move(result_);
   }
 
  private:
+  bool stopped() const { return stop_ != nullptr && stop_->load(); }
+
   void check(std::string name, const std::function<CheckResult()>& run) {
-    if (stop_ != nullptr && stop_->load()) return;
+    check(std::move(name), "", run);
+  }
+
+  void check(std::string name, std::string feature, const std::function<CheckResult()>& run) {
+    if (stopped()) return;
     CheckResult verdict = run();
     // After garbage, further output may follow, so the program is restarted.
     if (verdict.outcome == CheckOutcome::fail) session_.restart();
-    if (stop_ != nullptr && stop_->load()) return;
+    if (stopped()) return;
     result_.checks.push_back({static_cast<int>(result_.checks.size()) + 1, std::move(name),
                               verdict.outcome, std::move(verdict.finding),
-                              std::move(verdict.remedy)});
+                              std::move(verdict.remedy), std::move(feature), verdict.of_picture});
+  }
+
+  // Finds roots in a picture and in what was drawn before. All failed checks of pictures may follow
+  // from the former.
+  void find_roots() {
+    if (stopped()) return;
+    for (const Primitive primitive : {Primitive::triangles, Primitive::lines, Primitive::points}) {
+      const Reply reply = session_.ask("conformance/roots", root_scene(primitive));
+      if (!is_answer(reply)) session_.restart();
+      if (reply.kind == Reply::Kind::rendering)
+        result_.roots = roots_of(primitive, reply.rendering);
+      if (reply.kind != Reply::Kind::refusal) break;
+    }
+    for (ProtocolCheck& check : result_.checks) {
+      check.follows = check.follows && !result_.roots.empty();
+      if (check.follows) check.remedy = kRootFirst;
+    }
+    if (unlisted_.empty()) return;
+    result_.roots.push_back({fmt::format("fragments that fail the {} test are not listed",
+                                         fmt::join(unlisted_, " or the ")),
+                             kListAll});
+    for (ProtocolCheck& check : result_.checks)
+      check.follows = check.follows || check.remedy == kListAll;
   }
 
   void examine_lines() {
@@ -114,7 +150,8 @@ class Examiner {
     for (const Primitive primitive :
          {Primitive::points, Primitive::lines, Primitive::line_strip, Primitive::line_loop,
           Primitive::triangles, Primitive::triangle_strip, Primitive::triangle_fan})
-      check(fmt::format("draws {}", name_of(primitive)), [&] { return drawing(primitive); });
+      check(fmt::format("draws {}", name_of(primitive)), name_of(primitive),
+            [&] { return drawing(primitive); });
     check("numbers primitives without extent, and tells finite values only",
           [&] { return values(); });
   }
@@ -149,17 +186,7 @@ class Examiner {
     const Scene scene = empty_scene(4, 3);
     const Reply reply = session_.ask("conformance/empty", scene);
     if (reply.kind != Reply::Kind::rendering) return by_kind(reply);
-    if (!reply.rendering.fragments.empty())
-      return failed(fmt::format("it tells {} fragments of a scene that draws nothing",
-                                reply.rendering.fragments.size()),
-                    "list a fragment for each pixel that a primitive covers, and no other");
-    for (int y = 0; y < 3; ++y)
-      for (int x = 0; x < 4; ++x)
-        if (!shows(reply.rendering, x, y, {255, 0, 0}, 0))
-          return failed(fmt::format("pixel ({}, {}) is {}, and the clear colour is (255, 0, 0)", x,
-                                    y, color_text(reply.rendering, x, y)),
-                        "begin with target.clear in every pixel");
-    return {};
+    return by_picture(fault_of_empty(scene, reply.rendering));
   }
 
   // Two scenes are drawn, since the second must not get the digest of the first.
@@ -235,7 +262,7 @@ class Examiner {
       const Reply reply = session_.ask("conformance/sizes", scene);
       CheckResult verdict = by_kind(reply);
       if (verdict.outcome == CheckOutcome::pass && reply.rendering.fragments.empty())
-        verdict = failed("a point in the last pixel has no fragment", kFollow);
+        verdict = by_picture(Fault{"a point in the last pixel has no fragment", kFollow});
       if (verdict.outcome == CheckOutcome::pass) continue;
       verdict.finding = fmt::format("{} by {} pixels: {}", width, height, verdict.finding);
       return verdict;
@@ -251,13 +278,15 @@ class Examiner {
     const Scene scene = scene_of(primitive);
     const Reply reply = session_.ask("conformance/primitives", scene);
     if (reply.kind != Reply::Kind::rendering) return by_kind(reply);
-    return by_fault(fault_of_drawing(scene, reply.rendering));
+    remember(scene, reply.rendering);
+    return by_picture(fault_of_drawing(scene, reply.rendering));
   }
 
   CheckResult values() {
     const Reply reply = session_.ask("conformance/without-extent", scene_without_extent());
     if (reply.kind != Reply::Kind::rendering) return by_kind(reply);
-    return by_fault(fault_of_values(reply.rendering));
+    const auto fault = fault_of_values(reply.rendering);
+    return fault ? failed(fault->finding, fault->remedy) : CheckResult{};
   }
 
   CheckResult optional_feature(const FeatureScene& feature) {
@@ -268,11 +297,11 @@ class Examiner {
       return verdict;
     }
     if (reply.kind != Reply::Kind::rendering) return by_kind(reply);
-    if (shows(reply.rendering, feature.x, feature.y, feature.color, feature.reach)) return {};
-    return failed(fmt::format("pixel ({}, {}) is {} where ({}, {}, {}) was asked for", feature.x,
-                              feature.y, color_text(reply.rendering, feature.x, feature.y),
-                              feature.color[0], feature.color[1], feature.color[2]),
-                  kRefuse);
+    if (const auto fault = fault_of_feature(feature, reply.rendering)) return by_picture(fault);
+    remember(feature.scene, reply.rendering);
+    if (lists_failing(feature, reply.rendering)) return {};
+    unlisted_.push_back(feature.failed_test);
+    return failed("no fragment that fails the test is listed", kListAll);
   }
 
   CheckResult ids() {
@@ -293,20 +322,32 @@ class Examiner {
     return {};
   }
 
-  // A changed request must be drawn like the original if `draws`, or refused.
+  // Keeps the first scene that is drawn: a rendering without contrast and fragments shows nothing.
+  void remember(const Scene& scene, const Rendering& rendering) {
+    if (!drawn_ && (shows_contrast(rendering) || !rendering.fragments.empty()))
+      drawn_ = {scene, rendering.pixels};
+  }
+
+  // Asks for a scene that the program has drawn, changed. It must be drawn like the original if
+  // `draws`, and refused otherwise.
   CheckResult changed(const std::function<void(json&)>& change, bool draws) {
-    const Scene scene = scene_of(Primitive::points);
-    const std::string text = scene_json(scene);
+    if (!drawn_)
+      return {CheckOutcome::not_asked, "it has drawn no scene that could be changed", ""};
+    const std::string text = scene_json(drawn_->scene);
     json request = json::parse(request_line("conformance/changed", text));
     change(request);
-    const Reply reply = session_.ask_text(request.dump(), digest_of(text), scene);
-    if (draws) return is_answer(reply) ? CheckResult{} : no_answer(reply);
-    if (reply.kind == Reply::Kind::refusal) return {};
-    if (reply.kind == Reply::Kind::rendering)
-      return failed("it draws the scene as if it knew", kRefuse);
-    CheckResult verdict = no_answer(reply);
-    verdict.remedy = kRefuse;
-    return verdict;
+    const Reply reply = session_.ask_text(request.dump(), digest_of(text), drawn_->scene);
+    CheckResult verdict = by_kind(reply);
+    if (reply.kind == Reply::Kind::silence) return verdict;
+    if (!draws) {
+      if (reply.kind == Reply::Kind::refusal) return {};
+      if (verdict.finding.empty()) verdict.finding = "it draws the scene as if it knew";
+      return failed(verdict.finding, kRefuse);
+    }
+    if (reply.kind == Reply::Kind::rendering && reply.rendering.pixels == drawn_->pixels) return {};
+    if (reply.kind == Reply::Kind::refusal) verdict.finding = "it refuses: " + reply.problem;
+    if (verdict.finding.empty()) verdict.finding = "it draws something else than without the key";
+    return failed(verdict.finding, kIgnore);
   }
 
   CheckResult ends() {
@@ -329,6 +370,12 @@ class Examiner {
   ProtocolSession session_;
   const std::atomic<bool>* stop_;
   ProtocolExamination result_;
+  struct Drawn {
+    Scene scene;
+    std::vector<std::uint8_t> pixels;
+  };
+  std::optional<Drawn> drawn_;         // the first primitives that it draws
+  std::vector<std::string> unlisted_;  // tests whose failing fragments it does not list
 };
 
 }  // namespace

@@ -40,22 +40,26 @@ Scene with(std::vector<Draw> draws) {
   return scene;
 }
 
-// Two halves: the first one is nearer and red, the second green; the nearer one must remain.
+// Two draws of the same half: a red one, and then a green one, which must not show.
+Scene red_scene() {
+  return with({half_of_it(kRed), half_of_it(kGreen)});
+}
+
+// The red one is nearer.
 Scene depth_scene() {
-  Scene scene = with({half_of_it(kRed), half_of_it(kGreen)});
+  Scene scene = red_scene();
   scene.target.depth = DepthFormat::depth24;
   for (Draw& draw : scene.draws) draw.operations.depth.function = CompareFunction::less;
   for (Vertex& vertex : scene.draws[0].vertices) vertex.z = Fixed::from_raw(-Fixed::kOne / 2);
   return scene;
 }
 
-// No fragment passes the test.
 Scene stencil_scene() {
-  Scene scene = with({half_of_it(kRed)});
+  Scene scene = red_scene();
   scene.target.stencil = StencilFormat::stencil8;
   StencilFace never;
   never.function = CompareFunction::never;
-  scene.draws[0].operations.stencil = StencilTest{never, never};
+  scene.draws[1].operations.stencil = StencilTest{never, never};
   return scene;
 }
 
@@ -79,11 +83,10 @@ Scene texture_scene() {
   return scene;
 }
 
-// The destination is unchanged.
 Scene blending_scene() {
-  Scene scene = with({half_of_it(kRed)});
+  Scene scene = red_scene();
   const BlendTerm keep = {BlendEquation::add, BlendFactor::zero, BlendFactor::one};
-  scene.draws[0].operations.blending = Blending{keep, keep};
+  scene.draws[1].operations.blending = Blending{keep, keep};
   return scene;
 }
 
@@ -96,20 +99,20 @@ Scene supersampled_scene() {
 }
 
 Scene scissored_scene() {
-  Scene scene = with({half_of_it(kRed)});
-  scene.draws[0].scissor = Viewport{8, 0, 8, kSize};
+  Scene scene = red_scene();
+  scene.draws[1].scissor = Viewport{8, 0, 8, kSize};
   return scene;
 }
 
 Scene culled_scene() {
-  Scene scene = with({half_of_it(kRed)});
-  scene.draws[0].cull = CullMode::front;
+  Scene scene = red_scene();
+  scene.draws[1].cull = CullMode::front;
   return scene;
 }
 
 Scene masked_scene() {
-  Scene scene = with({half_of_it(kRed)});
-  scene.draws[0].operations.color_mask = {false, false, false, false};
+  Scene scene = red_scene();
+  scene.draws[1].operations.color_mask = {false, false, false, false};
   return scene;
 }
 
@@ -212,12 +215,12 @@ std::vector<FeatureScene> feature_scenes() {
       {"vertices outside the clip volume", clipped_scene(), 12, 12, {255, 0, 0}},
       {"wide lines", thick_scene(Primitive::lines), 8, 10, {255, 0, 0}},
       {"large points", thick_scene(Primitive::points), 10, 10, {255, 0, 0}},
-      {"a scissor", scissored_scene(), 4, 4, {0, 0, 0}},
-      {"a depth buffer", depth_scene(), 4, 4, {255, 0, 0}},
-      {"a stencil buffer", stencil_scene(), 4, 4, {0, 0, 0}},
-      {"blending", blending_scene(), 4, 4, {0, 0, 0}},
-      {"a colour mask", masked_scene(), 4, 4, {0, 0, 0}},
-      {"culling", culled_scene(), 4, 4, {0, 0, 0}},
+      {"a scissor", scissored_scene(), 4, 4, {255, 0, 0}},
+      {"a depth buffer", depth_scene(), 4, 4, {255, 0, 0}, 0, "depth"},
+      {"a stencil buffer", stencil_scene(), 4, 4, {255, 0, 0}, 0, "stencil"},
+      {"blending", blending_scene(), 4, 4, {255, 0, 0}},
+      {"a colour mask", masked_scene(), 4, 4, {255, 0, 0}},
+      {"culling", culled_scene(), 4, 4, {255, 0, 0}},
       {"several samples", samples_scene(4), 4, 4, {255, 0, 0}},
       {"textures", texture_scene(), 4, 4, {0, 0, 255}},
       {"supersampling", supersampled_scene(), 4, 4, {255, 0, 0}},
