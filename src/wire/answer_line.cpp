@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <exception>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "wire/answer_planes.h"
 #include "wire/fragments.h"
 #include "wire/json_values.h"
 #include "wire/rendering_json.h"
@@ -93,31 +93,16 @@ RendererInfo read_claims(const json& value, const Path& path) {
   return claims;
 }
 
-template <class Integer>
-std::vector<Integer> read_integers(const json& value, const Path& path, std::size_t size) {
-  wire::require_array(value, path, size);
-  std::vector<Integer> result;
-  result.reserve(size);
-  for (std::size_t i = 0; i < size; ++i)
-    result.push_back(static_cast<Integer>(
-        wire::read_integer(value[i], {path, i}, 0, std::numeric_limits<Integer>::max())));
-  return result;
-}
-
 // A float32 buffer may store a depth that rounding took beyond 0 or 1; an unsigned one cannot.
 std::vector<double> read_depths(const json& value, const Path& path, std::size_t size,
                                 DepthFormat format) {
-  wire::require_array(value, path, size);
-  std::vector<double> depths;
-  depths.reserve(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    const Path at(path, i);
-    depths.push_back(wire::read_finite(value[i], at));
-    const bool inside = depths.back() >= 0 && depths.back() <= 1;
-    if (!inside && !holds_floats(format))
-      throw Refusal(fmt::format("{} is {}, but it must be 0 to 1", at.text(), value[i].dump()));
-  }
-  return depths;
+  std::vector<double> depths = wire::read_plane<double>(value, path, size);
+  if (holds_floats(format)) return depths;
+  const auto beyond =
+      std::ranges::find_if(depths, [](double depth) { return !(depth >= 0 && depth <= 1); });
+  if (beyond == depths.end()) return depths;
+  const Path at(path, static_cast<std::size_t>(beyond - depths.begin()));
+  throw Refusal(fmt::format("{} is {}, but it must be 0 to 1", at.text(), *beyond));
 }
 
 // Reads either the key "coverage", or "pixels" and "fragments".
@@ -145,7 +130,7 @@ void read_samples(const json& document, const Path& root, std::size_t size, Rend
   if (pixels == nullptr) return;
   if (rendering.samples == 1)
     throw Refusal("the line has \"sample_pixels\", but the target has one sample");
-  rendering.sample_pixels = read_integers<std::uint8_t>(*pixels, {root, "sample_pixels"}, size);
+  rendering.sample_pixels = wire::read_plane<std::uint8_t>(*pixels, {root, "sample_pixels"}, size);
 }
 
 void check_buffers(const json& document, const Path& path, const Scene& scene) {
@@ -174,17 +159,17 @@ Rendering read_drawing(const json& document, const Path& root, const Scene& scen
   // Hits, depths and stencils have one plane for each sample.
   const std::size_t planes = area * static_cast<std::size_t>(rendering.samples);
   if (!document.contains("coverage")) {
-    rendering.pixels = read_integers<std::uint8_t>(wire::member(document, root, "pixels"),
-                                                   {root, "pixels"}, 4 * area);
+    rendering.pixels = wire::read_plane<std::uint8_t>(wire::member(document, root, "pixels"),
+                                                      {root, "pixels"}, 4 * area);
     if (scene.target.depth != DepthFormat::none)
       rendering.depths = read_depths(wire::member(document, root, "depths"), {root, "depths"},
                                      planes, scene.target.depth);
     if (scene.target.stencil != StencilFormat::none)
-      rendering.stencils = read_integers<std::uint8_t>(wire::member(document, root, "stencils"),
-                                                       {root, "stencils"}, planes);
+      rendering.stencils = wire::read_plane<std::uint8_t>(wire::member(document, root, "stencils"),
+                                                          {root, "stencils"}, planes);
   }
   if (const json* hits = wire::optional_member(document, "hits"))
-    rendering.hits = read_integers<std::uint32_t>(*hits, {root, "hits"}, planes);
+    rendering.hits = wire::read_plane<std::uint32_t>(*hits, {root, "hits"}, planes);
   read_samples(document, root, 4 * planes, rendering);
   if (const json* chains = wire::optional_member(document, "mip_chains"))
     rendering.mip_chains = wire::read_mip_chains(*chains, {root, "mip_chains"}, scene);
@@ -204,13 +189,10 @@ Rendering read_pass(const json& value, const Path& path, const Scene& scene) {
 Rendering read_supersampled(const json& document, const Path& root, const Scene& scene) {
   Rendering rendering = blank_rendering(scene.target);
   const std::size_t size = 4 * area_of(scene.target);
-  rendering.pixels =
-      read_integers<std::uint8_t>(wire::member(document, root, "pixels"), {root, "pixels"}, size);
-  const json& accumulated = wire::member(document, root, "accumulated");
-  const Path image(root, "accumulated");
-  wire::require_array(accumulated, image, size);
-  for (std::size_t i = 0; i < size; ++i)
-    rendering.accumulated.push_back(wire::read_number(accumulated[i], {image, i}));
+  rendering.pixels = wire::read_plane<std::uint8_t>(wire::member(document, root, "pixels"),
+                                                    {root, "pixels"}, size);
+  rendering.accumulated = wire::read_plane<double>(wire::member(document, root, "accumulated"),
+                                                   {root, "accumulated"}, size);
   const json& passes = wire::member(document, root, "passes");
   const Path at(root, "passes");
   wire::require_array(passes, at, scene.supersampling.size());
@@ -341,7 +323,7 @@ std::string refusal_line(const std::string& digest, const std::string& reason,
 std::variant<Answer, WireError> parse_answer(std::string_view line, const std::string& digest,
                                              const Scene& scene, bool coverage_only) {
   try {
-    return read_answer(wire::parse_text(line), digest, scene, coverage_only);
+    return read_answer(wire::parse_answer_text(line), digest, scene, coverage_only);
   } catch (const std::exception& thrown) {
     return error_of_reading(thrown);
   }

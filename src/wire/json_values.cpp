@@ -40,10 +40,14 @@ std::string Path::text() const {
 }
 
 json parse_text(std::string_view line) {
+  return parse_text(line, [](std::string_view text) { return json::parse(text); });
+}
+
+json parse_text(std::string_view line, const std::function<json(std::string_view)>& parse) {
   if (size_of_json(line).levels > kMostLevels)
     throw Refusal(fmt::format("the line is nested deeper than {} levels", kMostLevels));
   try {
-    return json::parse(line);
+    return parse(line);
   } catch (const json::exception& error) {
     // The library's message follows its tag in brackets.
     const std::string_view text = error.what();

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <iterator>
 #include <map>
@@ -53,8 +54,11 @@ class Path {
   std::size_t index_ = 0;
 };
 
-// Parses a whole line; refuses anything after the first value.
+// Parses a whole line; refuses anything after the first value. `parse` is the library's parser,
+// with what is to be called as it goes.
 nlohmann::json parse_text(std::string_view line);
+nlohmann::json parse_text(std::string_view line,
+                          const std::function<nlohmann::json(std::string_view)>& parse);
 
 // Refuses values that are not objects, and keys other than `known`.
 void require_object(const nlohmann::json& value, const Path& path,
