@@ -145,6 +145,8 @@ struct ValueSum {
 // What the answers of one renderer come to, over all cases.
 class RendererSums {
  public:
+  explicit RendererSums(const Portrait& all) : portrait(all), clusters_(all) {}
+  const Portrait portrait;
   void add(const CaseResults& one, const Result& result) {
     clusters_.add(one, result);
     for (const ValueAggregate& values : result.values) {
@@ -233,7 +235,7 @@ void add_cases(Json& json, const Results& results, const ReportTexts& texts, con
       if (r < sums.size() && one.results[r].verdict != Verdict::agree)
         differing.add({i, r}, one.results[r]);
       if (is_unexpected(one.results[r].standing))
-        unexpected.push_back({{i, r}, leading_cluster(one, one.results[r])});
+        unexpected.push_back({{i, r}, leading_cluster(one, one.results[r], sums[r].portrait)});
     }
     Json row = {heads.of_case[i], one.id.substr(stem_of(one.id).size()), one.fragments,
                 std::move(numbers)};
@@ -278,7 +280,7 @@ Json cluster_json(const Cluster& cluster, std::size_t at) {
   Json json = {{"cause", cluster.cause},
                {"rule", cluster.rule},
                {"kind", cluster.kind},
-               {"situation", cluster.situation},
+               {"situations", cluster.situations},
                {"attribute", cluster.attribute},
                {"surface", cluster.surface},
                {"legality", name_of(cluster.legality)},
@@ -324,6 +326,7 @@ Json renderer_json(const Results& results, const ReportTexts& texts, std::size_t
           {"device", info.device},
           {"traits", info.traits},
           {"subpixel_bits", info.subpixel_bits},
+          {"portrait", sentences_of(sums.portrait)},
           {"clusters", std::move(clusters)},
           {"values", sums.values()},
           {"scenes", sums.scenes()},
@@ -377,7 +380,9 @@ Json report_index(const Results& results, const ReportTexts& texts, const CaseHe
                {"renderers", Json::array()}};
   add_texts(json, texts);
   add_problems(json, results);
-  std::vector<RendererSums> sums(results.renderers.size());
+  std::vector<RendererSums> sums;
+  for (std::size_t r = 0; r < results.renderers.size(); ++r)
+    sums.emplace_back(portrait_of(results, r));
   std::vector<UnexpectedAnswer> unexpected;
   add_cases(json, results, texts, heads, lines, sums, unexpected);
   std::vector<std::vector<Cluster>> clusters;

@@ -182,6 +182,16 @@ void write_unsupported(const Results& results, std::ostream& out) {
   }
 }
 
+// What all answers of a renderer together say of it.
+void write_portraits(const Results& results, const Painter& paint, std::ostream& out) {
+  for (std::size_t r = 0; r < results.renderers.size(); ++r)
+    for (const std::string& sentence : sentences_of(portrait_of(results, r)))
+      out << paint.bold(results.renderers.size() == 1
+                            ? sentence
+                            : fmt::format("{}: {}", one_line(results.renderers[r].name), sentence))
+          << '\n';
+}
+
 // Which renderers drew nothing, and why: a line each.
 void write_idle(const Results& results, const Painter& paint, std::ostream& out) {
   for (std::size_t r = 0; r < results.renderers.size(); ++r)
@@ -204,6 +214,7 @@ void write_summary(const Results& results, bool color, std::ostream& out,
   const Painter paint(color);
   out << first_line(results, cost, paint) << '\n';
   if (cost && !cost->note.empty()) out << one_line(cost->note) << '\n';
+  write_portraits(results, paint, out);
   write_idle(results, paint, out);
   write_unexpected(results, paint, out);
 

@@ -141,10 +141,9 @@ void add_clusters(const Results& results, std::size_t renderer, MarkdownPage& pa
   if (clusters.empty()) return;
   const RendererInfo& info = results.renderers[renderer];
   std::string text = fmt::format(
-      "\n## What differs with {}\n\n<details><summary>{} cause{} or situation{}</summary>\n\n"
+      "\n## What differs with {}\n\n<details><summary>{} kind{} of difference</summary>\n\n"
       "| allowed | what | differences | cases | explained by |\n|---|---|---:|---:|---|\n",
-      markdown_code(info.name), clusters.size(), clusters.size() == 1 ? "" : "s",
-      clusters.size() == 1 ? "" : "s");
+      markdown_code(info.name), clusters.size(), clusters.size() == 1 ? "" : "s");
   const std::size_t listed = std::min(kMostClusters, clusters.size());
   for (std::size_t i = 0; i < listed; ++i) text += cluster_row(clusters[i], info, results.policy);
   if (listed < clusters.size()) text += fmt::format("\nand {} more\n", clusters.size() - listed);
@@ -162,6 +161,9 @@ void write_markdown_summary(const Results& results, std::ostream& out) {
   for (std::size_t r = 0; r < results.renderers.size(); ++r)
     if (drew_nothing(results, r))
       page.add("\n**Drew nothing:** " + markdown_code(words_of_idleness(results, r), 3000) + "\n");
+  for (std::size_t r = 0; r < results.renderers.size(); ++r)
+    for (const std::string& sentence : sentences_of(portrait_of(results, r)))
+      page.add(fmt::format("\n{}: {}\n", markdown_code(results.renderers[r].name), sentence));
   add_table(results, page);
   add_unexpected(results, page);
   add_faults(results, page);

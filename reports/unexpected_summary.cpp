@@ -27,9 +27,9 @@ const Disagreement* leading(const Result& result) {
   return sorted.empty() ? nullptr : sorted.front();
 }
 
-std::string cause_of(const CaseResults& one, const Result& result) {
+std::string cause_of(const CaseResults& one, const Result& result, const Portrait& portrait) {
   if (result.failure) return name_of(result.failure->kind);
-  const auto cluster = leading_cluster(one, result);
+  const auto cluster = leading_cluster(one, result, portrait);
   return cluster ? title_of(*cluster) : "";
 }
 
@@ -91,6 +91,9 @@ std::vector<UnexpectedGroup> unexpected_groups(const Results& results) {
   using Key = std::tuple<std::size_t, Standing, Verdict, bool, std::string>;
   std::map<Key, UnexpectedGroup> groups;
   std::map<Key, CaseSize> sizes;  // of the simplest
+  std::vector<Portrait> portraits;
+  for (std::size_t r = 0; r < results.renderers.size(); ++r)
+    portraits.push_back(portrait_of(results, r));
   for (std::size_t i = 0; i < results.cases.size(); ++i) {
     if (std::ranges::none_of(results.cases.outline(i).answers, is_counted)) continue;
     const CaseResults one = results.cases[i];
@@ -98,7 +101,8 @@ std::vector<UnexpectedGroup> unexpected_groups(const Results& results) {
       const Result& result = one.results[r];
       if (!is_counted(result)) continue;
       const bool partly = !result.faults.empty();
-      const std::string cause = cause_of(one, result);
+      const std::string cause =
+          cause_of(one, result, r < portraits.size() ? portraits[r] : Portrait());
       const Key key(r, result.standing, result.verdict, partly, cause);
       UnexpectedGroup& group = groups[key];
       if (group.cases == 0) group = {r, result.standing, result.verdict, partly, cause, 0, i};

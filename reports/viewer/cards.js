@@ -126,7 +126,19 @@ const Overview = {
 function causeView(group) {
   return h("main.overview.of-cause", {}, pageHead(""),
     h("div", {id: "review"}, reviewBar()), causeCard(group, true, true),
-    otherPlaces(group), group.isRed && [h("div", {id: "bar"}), h("div", {id: "list"})]);
+    otherPlaces(group), situationTable(group), group.isRed && [h("div", {id: "bar"}), h("div", {id: "list"})]);
+}
+
+// Where on their primitives differences without a cause lie.
+function situationTable(group) {
+  const situations = situationsOf(group);
+  if (situations.length < 2) return null;
+  return scrolled("Where on a primitive", h("table.clusters", {},
+    h("thead", {}, h("tr", {}, ["where on a primitive", "differences", "cases"]
+      .map((text) => h("th", {scope: "col"}, text)))),
+    h("tbody", {}, situations.map(([words, differences, cases]) => h("tr", {},
+      h("td.what", {dir: "auto"}, words), h("td.count", {}, differences.toLocaleString("en")),
+      h("td.count", {}, cases.toLocaleString("en")))))));
 }
 
 // Where else it shows: the smallest case of each renderer, surface and legality.

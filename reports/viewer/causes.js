@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT The causes of all differences: clusters of every renderer
-// (results/clusters.h) that share a cause, or a rule, a kind and a situation, whatever their surface
-// and legality, with the answers that are decided together.
+// (results/clusters.h) that share a cause, or a rule and a kind, whatever their surface and legality, with the answers that are decided together.
 
 const FAILURES = {
   crashed: "The renderer crashed", "timed-out": "The renderer gave no answer in time",
@@ -14,7 +13,7 @@ const KIND_WORDS = {
 const LEGAL_ORDER = ["illegal", "contested", "legal"];
 
 const keyOf = (cluster) => cluster.cause ||
-  [cluster.rule, cluster.kind, cluster.situation, cluster.attribute].join("\n");
+  [cluster.rule, cluster.kind, cluster.attribute].join("\n");
 
 // One cause: its clusters, the worst first, and the unexpected answers that begin with it.
 class CauseGroup {
@@ -76,11 +75,26 @@ function groupTitle(group) {
     ? first.attribute + " within what is permitted" : KIND_WORDS[first.kind]);
 }
 
-// What the alternatives of a cause mean, or where on a primitive the differences lie.
+// Where on their primitives the differences of a group without a cause lie: [words, differences,
+// cases], the most frequent first.
+function situationsOf(group) {
+  const all = new Map();
+  for (const {situations} of group.clusters)
+    for (const [words, differences, cases] of situations) {
+      const [, d, c] = all.get(words) || [words, 0, 0];
+      all.set(words, [words, d + differences, c + cases]);
+    }
+  return [...all.values()].filter(([words]) => words).sort((a, b) => b[1] - a[1]);
+}
+
+// What the alternatives of a cause mean, or where on a primitive most of the differences lie.
 function groupMeaning(group) {
   const {first} = group;
   if (!first) return "";
-  if (!first.cause) return first.situation;
+  if (!first.cause) {
+    const [most, ...others] = situationsOf(group);
+    return most ? most[0] + (others.length ? ", and " + plural(others.length, "other place", "other places") : "") : "";
+  }
   return first.cause.split(" + ").map((part) => {
     const [id, alternative] = part.split("=");
     return alternative && Rules.get(id)?.alternatives?.[alternative];

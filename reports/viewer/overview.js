@@ -18,6 +18,12 @@ function redFacts() {
   ].filter(Boolean);
 }
 
+// What goes before a cause in a sentence: a portrait says what the renderer does, rules have names.
+function subjectOf(cause) {
+  if (!cause) return "";
+  return cause.split(" + ").some((part) => part.includes(" ")) ? "it " : "the ";
+}
+
 // What all answers that are not as expected come to.
 function redSentence() {
   const answers = RedGroups.reduce((sum, group) => sum + group.answers.length, 0);
@@ -28,7 +34,7 @@ function redSentence() {
     : " not as expected, from " + RedGroups.length + " causes. The worst, in " +
       plural(first.answers.length, "case", "cases") + ": ";
   return plural(answers, "answer is", "answers are") + words +
-    (first.first?.cause ? "the " : "") + title.charAt(0).toLowerCase() + title.slice(1);
+    subjectOf(first.first?.cause) + title.charAt(0).toLowerCase() + title.slice(1);
 }
 
 function greenSentence() {
@@ -45,6 +51,12 @@ function headline() {
   const parts = [redSentence(), ...redFacts()].filter(Boolean);
   return parts.length ? h("p.headline.alarm", {}, icon(BANG), h("span", {dir: "auto"}, parts.join("; ") + "."))
     : h("p.headline.good", {}, icon(VERDICTS.agree.path), greenSentence());
+}
+
+// What all answers of a renderer together say of it.
+function portraits() {
+  return Data.renderers.flatMap(({name, portrait}) => portrait.map((sentence) =>
+    h("p.portrait", {dir: "auto"}, Data.renderers.length > 1 && [h("b", {}, name), ": "], sentence)));
 }
 
 function pageHead(view) {
@@ -150,7 +162,7 @@ function legalSection() {
     () => scrolled("Other differences", h("table.clusters", {}, h("tbody", {}, rest.map((group) =>
       h("tr", {}, h("td", {}, legality(group.first)),
         h("td.what", {}, h("a", {href: Route.href({...NOWHERE, cause: group.number})},
-          groupTitle(group)), !group.first.cause && h("div.faint", {}, group.first.situation)),
+          groupTitle(group)), !group.first.cause && h("div.faint", {}, groupMeaning(group))),
         h("td.count", {}, plural(groupCounts(group)[0].cases, "case", "cases")),
         h("td", {}, group.renderers.join(", "))))))));
 }
@@ -175,6 +187,7 @@ function fold(title, open, make) {
 }
 
 function overview() {
-  return h("main.overview", {}, pageHead("overview"), headline(), h("div", {id: "review"}, reviewBar()),
+  return h("main.overview", {}, pageHead("overview"), headline(), portraits(),
+    h("div", {id: "review"}, reviewBar()),
     causeCards(), problems(), changesSection(), knownSection(), legalSection(), statisticsLine());
 }

@@ -16,6 +16,7 @@
 #include "diff/coverage/legality.h"
 #include "diff/differing_planes.h"
 #include "diff/drawing_compare.h"
+#include "diff/explaining_hypotheses.h"
 #include "diff/textures/texture_lookups.h"
 #include "diff/upside_down.h"
 #include "diff/values/value_diff.h"
@@ -61,6 +62,19 @@ void read_upside_down(const Drawing& drawing, Result& result) {
     note_upside_down(result);
 }
 
+// True unless all that differs may be an open choice, which says nothing about a fault.
+bool asks_for_hypotheses(const Result& result) {
+  const auto has_no_open_cause = [](const Result::Evidence& evidence) {
+    return std::ranges::none_of(evidence.causes,
+                                [](const Cause& cause) { return is_open_choice(cause); });
+  };
+  return breaks_a_ruling(result) || std::ranges::any_of(result.evidence, has_no_open_cause) ||
+         std::ranges::any_of(result.values, [](const ValueAggregate& values) {
+           return values.cause.empty() && !values.differing.empty() &&
+                  values.rule == RuleId::framebuffer_unorm8;
+         });
+}
+
 }  // namespace
 
 RendererFacts facts_of(const RendererInfo& info, const ResolvedPolicy* profile) {
@@ -74,6 +88,7 @@ Result compare(const Scene& scene, const ResolvedPolicy& policy, const Rendering
   Result result = compare_whole(drawing, {});
   if (!has_differences(result)) find_differing_planes(exact, rendered, result);
   read_upside_down(drawing, result);
+  if (asks_for_hypotheses(result)) result.hypotheses = explaining_hypotheses(drawing);
   std::erase_if(result.values, [](const ValueAggregate& v) { return v.differing.empty(); });
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
   // A run keeps all its results until the last one is there.

@@ -113,6 +113,7 @@ Result compare_drawing(const Drawing& drawing, const AlternativeSet& refuted, Co
     if (rendered.samples > 1) values.follow(followed_rate(values, rendered));
     values.follow_limits(facts.lookups);
     values.follow_fixed_unit(followed_fixed_unit(values, rendered));
+    if (!result.counted.empty()) values.leave_strays_open(exact, rendered);
     std::optional<UntoldColors> untold;
     if (has_untold_colors(values, rendered)) {
       untold.emplace(values, exact, rendered);

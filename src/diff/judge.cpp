@@ -18,6 +18,7 @@
 #include "diff/coverage/cause.h"
 #include "diff/coverage/legality.h"
 #include "diff/upside_down.h"
+#include "diff/verdicts.h"
 #include "rules/all_rules.h"
 #include "rules/coverage/window.h"
 
@@ -281,120 +282,6 @@ std::string judge(std::span<Result* const> results, Latitude latitude) {
   RunReading reading = read_run(results);
   judge(results, latitude, reading);
   return reading.line_snap;
-}
-
-// ------------------------------------------------------------------------------- verdicts of parts
-
-namespace {
-
-struct JudgedPixel {
-  int x;
-  int y;
-  Verdict verdict;
-};
-
-bool is_same_pixel(const JudgedPixel& a, const JudgedPixel& b) {
-  return a.x == b.x && a.y == b.y;
-}
-
-// The worst difference of a pixel comes first.
-bool comes_first(const JudgedPixel& a, const JudgedPixel& b) {
-  return std::tie(a.y, a.x, b.verdict) < std::tie(b.y, b.x, a.verdict);
-}
-
-// Adds pixels, which mostly are in order already, to others in order.
-void merge_pixels(std::vector<JudgedPixel> more, std::vector<JudgedPixel>& pixels) {
-  if (!std::ranges::is_sorted(more, comes_first)) std::ranges::sort(more, comes_first);
-  std::vector<JudgedPixel> all;
-  all.reserve(pixels.size() + more.size());
-  std::ranges::merge(pixels, more, std::back_inserter(all), comes_first);
-  pixels = std::move(all);
-}
-
-// Every pixel that differs, with its worst legality.
-std::vector<JudgedPixel> judged_pixels(const Result& result, Latitude latitude) {
-  std::vector<JudgedPixel> pixels;
-  for (const Disagreement& d : result.disagreements)
-    pixels.push_back({d.x, d.y, verdict_of(d, latitude)});
-  std::ranges::sort(pixels, comes_first);
-  for (const ValueAggregate& values : result.values) {
-    const Verdict verdict = verdict_of(values, latitude);
-    std::vector<JudgedPixel> more;
-    more.reserve(values.differing.size());
-    for (const ValueAggregate::Place& place : values.differing)
-      more.push_back({place.x, place.y, verdict});
-    merge_pixels(std::move(more), pixels);
-  }
-  pixels.erase(std::unique(pixels.begin(), pixels.end(), is_same_pixel), pixels.end());
-  return pixels;
-}
-
-// The same of a gross fault, as the numbers of pixels by verdict. It differs at most pixels, and a
-// byte for each is less than a list.
-std::map<Verdict, std::size_t> count_gross(const Result& result, Latitude latitude) {
-  int width = 0;
-  int height = 0;
-  const auto reach = [&](int x, int y) {
-    width = std::max(width, x + 1);
-    height = std::max(height, y + 1);
-  };
-  for (const Disagreement& d : result.disagreements) reach(d.x, d.y);
-  for (const CountedDisagreements& counted : result.counted)
-    for (const PixelRun& run : counted.runs) reach(run.end - 1, run.y);
-  for (const ValueAggregate& values : result.values)
-    for (const ValueAggregate::Place& place : values.differing) reach(place.x, place.y);
-  std::vector<std::uint8_t> worst(static_cast<std::size_t>(width) *
-                                  static_cast<std::size_t>(height));
-  const auto add = [&](int y, int begin, int end, Verdict verdict) {
-    const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-    for (std::size_t x = row + static_cast<std::size_t>(begin);
-         x < row + static_cast<std::size_t>(end); ++x)
-      worst[x] = std::max(worst[x], static_cast<std::uint8_t>(verdict));
-  };
-  for (const Disagreement& d : result.disagreements)
-    add(d.y, d.x, d.x + 1, verdict_of(d, latitude));
-  for (const CountedDisagreements& counted : result.counted)
-    for (const PixelRun& run : counted.runs)
-      add(run.y, run.begin, run.end, verdict_of(counted, latitude));
-  for (const ValueAggregate& values : result.values)
-    for (const ValueAggregate::Place& place : values.differing)
-      add(place.y, place.x, place.x + 1, verdict_of(values, latitude));
-  std::map<Verdict, std::size_t> counts;
-  for (const std::uint8_t verdict : worst) ++counts[static_cast<Verdict>(verdict)];
-  return counts;
-}
-
-}  // namespace
-
-Verdict verdict_of(const DisagreementClass& disagreement, Latitude latitude) {
-  if (latitude == Latitude::none || disagreement.legality == Legality::illegal)
-    return Verdict::violation;
-  if (disagreement.legality == Legality::contested) return Verdict::contested;
-  return is_open_choice(disagreement.cause) ? Verdict::convention : Verdict::permitted;
-}
-
-Verdict verdict_of(const ValueAggregate& values, Latitude latitude) {
-  if (latitude == Latitude::none) return Verdict::violation;
-  return is_open_choice(values.cause) ? Verdict::convention : Verdict::permitted;
-}
-
-void count_pixels(Result& result, Latitude latitude) {
-  const PixelCounts before = result.pixel_counts;
-  const std::size_t all =
-      before.agree + before.convention + before.permitted + before.contested + before.violation;
-  if (all == 0) return;
-  std::map<Verdict, std::size_t> found;
-  if (result.counted.empty())
-    for (const JudgedPixel& pixel : judged_pixels(result, latitude)) ++found[pixel.verdict];
-  else
-    found = count_gross(result, latitude);
-  PixelCounts& counts = result.pixel_counts = {};
-  counts.same = before.same;
-  counts.convention = found[Verdict::convention];
-  counts.permitted = found[Verdict::permitted];
-  counts.contested = found[Verdict::contested];
-  counts.violation = found[Verdict::violation];
-  counts.agree = all - counts.convention - counts.permitted - counts.contested - counts.violation;
 }
 
 }  // namespace edgecase

@@ -61,15 +61,4 @@ void judge(std::span<Result* const> results, Latitude latitude, const RunReading
 // Judges results under their own reading. Returns the name of the snap with which lines were read.
 std::string judge(std::span<Result* const> results, Latitude latitude);
 
-// ------------------------------------------------------------------------------- verdicts of parts
-//
-// Verdicts on parts of a case: one difference, or each pixel.
-
-// Cause and legality must have been decided. Never `agree`, since something differs.
-Verdict verdict_of(const DisagreementClass& disagreement, Latitude latitude);
-Verdict verdict_of(const ValueAggregate& values, Latitude latitude);
-
-// Sorts the counted pixels by verdict; compare() counts all as agreeing. `same` is unchanged.
-void count_pixels(Result& result, Latitude latitude);
-
 }  // namespace edgecase

@@ -56,6 +56,13 @@ struct PixelCounts {
   friend bool operator==(const PixelCounts&, const PixelCounts&) = default;
 };
 
+// Consecutive numbers, both ends inclusive.
+struct NumberRun {
+  std::uint16_t first = 0;
+  std::uint16_t last = 0;
+  friend bool operator==(const NumberRun&, const NumberRun&) = default;
+};
+
 // What judging makes of an answer. Two answers that are equal in this show the same.
 struct Judgement {
   Verdict verdict = Verdict::agree;
@@ -76,6 +83,9 @@ struct ResultOutline {
   std::optional<Judgement> again;
   // Of the answer and of all else that its comparison depends on (run/answer_digest.h); 0: unknown.
   std::uint64_t answer_digest = 0;
+  // The hypotheses about its renderer that explain the answer, and marks of what was asked
+  // (rules/hypotheses.h), ascending. Empty where nothing asks for them.
+  std::vector<NumberRun> hypotheses;
 };
 
 inline Judgement judgement_of(const ResultOutline& answer) {

@@ -31,7 +31,7 @@
 
 namespace edgecase {
 
-// Counter-examples that share a cause or a situation.
+// Counter-examples that share a cause, or a rule and kind.
 struct ProfileCluster {
   Cluster cluster;
   Scene smallest;
@@ -102,6 +102,18 @@ template <class... Args>
 void print(Buffer& out, fmt::format_string<Args...> format, Args&&... args) {
   fmt::format_to(std::back_inserter(out), format, std::forward<Args>(args)...);
 }
+// What is said of a trait: the alternative that yields at least nine in ten of what was asked, with
+// its share, though it may not yield all; else kNoneKnown with the share of the closest. A trait
+// that is no alternative is said as it is.
+struct ToldTrait {
+  std::string alternative;
+  Rate rate;
+};
+inline constexpr const char* kNoneKnown = "none known";
+ToldTrait told(const Trait& trait);
+
+// "8 sub-pixel bits are reported".
+std::string words_of_bits(const RendererInfo& renderer);
 void print_renderer(Buffer& out, const Profile& profile);  // the first line of both texts
 
 // The same parts of the JSON.

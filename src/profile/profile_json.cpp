@@ -215,7 +215,7 @@ Json to_json(const ProfileCluster& found) {
                {"kind", cluster.kind},
                {"legality", name_of(cluster.legality)},
                {"cause", cluster.cause},
-               {"situation", cluster.situation},
+               {"situations", cluster.situations},
                {"disagreements", cluster.disagreements},
                {"scenes", cluster.cases},
                {"smallest", scene_text(found.smallest)},

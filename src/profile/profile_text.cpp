@@ -227,11 +227,13 @@ void print_blending(Buffer& out, const std::vector<BlendResidual>& residuals) {
 void print_traits(Buffer& out, const std::vector<Trait>& traits) {
   print(out, "  {:<38}{:<33}{:<26}{}\n", "rule or probe", "follows", "agreement", "runner-up");
   for (const Trait& trait : traits) {
-    print(out, "  {:<38}{:<33}{:<26}", text_of(trait.id), trait.alternative,
-          fmt::format("{} ({} of {})", percent(trait.rate), trait.rate.agreeing, trait.rate.of));
-    if (!trait.runner_up.empty())
+    const auto& [alternative, rate] = told(trait);
+    print(out, "  {:<38}{:<33}{:<26}", text_of(trait.id),
+          trait.is_asked() ? alternative : "not asked",
+          fmt::format("{} ({} of {})", percent(rate), rate.agreeing, rate.of));
+    if (!trait.runner_up.empty() && trait.runner_up != alternative && trait.is_asked())
       print(out, "{} {}", trait.runner_up, percent(trait.runner_up_rate));
-    if (trait.is_undecided()) print(out, " (as good)");
+    if (trait.is_asked() && trait.is_undecided()) print(out, " (as good)");
     print(out, "\n");
     if (!trait.remark.empty()) print(out, "    {}\n", trait.remark);
   }
@@ -357,10 +359,8 @@ std::string output_profile_text(const OutputProfile& output) {
 std::string profile_text(const Profile& profile, std::size_t most_clusters) {
   Buffer out;
   print_renderer(out, profile);
-  print(out,
-        "{} random scenes of each primitive type on each surface, seed {}; {} sub-pixel bits "
-        "are reported\n",
-        profile.scenes_per_kind, profile.seed, profile.renderer.subpixel_bits);
+  print(out, "{} random scenes of each primitive type on each surface, seed {}; {}\n",
+        profile.scenes_per_kind, profile.seed, words_of_bits(profile.renderer));
   for (const SurfaceProfile& surface : profile.surfaces) print_surface(out, surface, most_clusters);
   return fmt::to_string(out);
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <concepts>
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
@@ -236,6 +238,14 @@ void read_pictures(const ReadJson& json, const CaseResults& one, Result& result)
   if (json.contains("pixels")) result.pixels = to_difference(json.at("pixels"), one, result.pixels);
 }
 
+NumberRun to_number_run(const ReadJson& json) {
+  const int first = WholeNumber(json.at(0));
+  const int last = WholeNumber(json.at(1));
+  if (first < 0 || last < first || last > std::numeric_limits<std::uint16_t>::max())
+    throw std::runtime_error(fmt::format("{} to {} is no run of numbers", first, last));
+  return {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(last)};
+}
+
 Failure to_failure(const ReadJson& json) {
   return {to_named<FailureKind>(json.at("kind")), json.at("reason")};
 }
@@ -247,6 +257,8 @@ void read_judgement(const ReadJson& json, const CaseResults& one, Result& result
   read_member(json, "standing", result.standing, to_named<Standing>);
   read_member(json, "standing_reason", result.standing_reason);
   read_member(json, "faults", result.faults);
+  read_member(json, "hypotheses", result.hypotheses,
+              [](const ReadJson& list) { return to_list<NumberRun>(list, to_number_run); });
   read_member(json, "again", result.again, to_answer);
   read_member(json, "failure", result.failure, to_failure);
   if (!result.failure) result.pixel_counts = counts_of_agreement(one.width, one.height);

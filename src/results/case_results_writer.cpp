@@ -105,6 +105,9 @@ void CaseWriter::write_judgement(const Result& result) {
   if (result.standing != Standing::expected) json_.member("standing", name_of(result.standing));
   if (!result.standing_reason.empty()) json_.member("standing_reason", result.standing_reason);
   if (!result.faults.empty()) json_.member("faults", result.faults);
+  list_unless_empty("hypotheses", result.hypotheses, [](JsonWriter& list, NumberRun run) {
+    list.array(int{run.first}, int{run.last});
+  });
   if (result.again) write_answer(json_.key("again"), *result.again);
   if (result.failure)
     write_failure(json_.key("failure"), *result.failure);

@@ -23,7 +23,7 @@ struct Beginning {
   std::string cause;
   std::string rule;
   int kind = 0;
-  std::string situation;
+  std::string attribute;
   friend auto operator<=>(const Beginning&, const Beginning&) = default;
 };
 
@@ -32,9 +32,7 @@ Beginning beginning_of(const Result& result, std::size_t renderer) {
   const auto worst = std::ranges::max_element(result.disagreements, {}, &Disagreement::legality);
   if (worst != result.disagreements.end()) {
     if (!worst->cause.empty()) return {renderer, result.verdict, text_of(worst->cause), "", 0, ""};
-    return {
-        renderer,        result.verdict, "", name_of(worst->rule), static_cast<int>(worst->kind),
-        worst->situation};
+    return {renderer, result.verdict, "", name_of(worst->rule), static_cast<int>(worst->kind), ""};
   }
   const int kind = static_cast<int>(DisagreementKind::value);
   for (const ValueAggregate& values : result.values)
@@ -89,7 +87,6 @@ class WorstFirst::Entries {
 };
 
 WorstFirst::WorstFirst() : entries_(std::make_unique<Entries>()) {}
-
 WorstFirst::~WorstFirst() = default;
 
 void WorstFirst::add(AnswerPlace place, const Result& result) {
@@ -118,14 +115,13 @@ std::vector<AnswerPlace> worst_first(const Results& results, const WantedAnswer&
 
 namespace {
 
-// The common key of a cluster's members; rule, kind and situation are empty if there is a cause.
+// The common key of a cluster's members; rule and kind are empty if there is a cause.
 struct Key {
   std::string cause;
   std::string surface;
   Legality legality = Legality::illegal;
   std::string rule;
   std::string kind;
-  std::string situation;
   std::string attribute;
   friend auto operator<=>(const Key&, const Key&) = default;
 };
@@ -145,6 +141,7 @@ struct Member {
   int x = 0;  // where to look at the first of them
   int y = 0;
   int primitive = -1;
+  std::optional<std::string> situation{};  // null: only counted
 };
 
 }  // namespace
@@ -164,6 +161,7 @@ class ClusterGatherer::Entries {
     cluster.disagreements += member.count;
     if (entry.latest != place.one->id) ++cluster.cases;
     entry.latest = place.one->id;
+    if (key.cause.empty() && key.attribute.empty()) entry.count(member);
     if (entry.smallest && !(place.size < *entry.smallest)) return;
     entry.smallest = place.size;
     cluster.smallest_case = place.one->id;
@@ -180,7 +178,7 @@ class ClusterGatherer::Entries {
       cluster.surface = key.surface;
       cluster.legality = key.legality;
       cluster.cause = key.cause;
-      cluster.situation = key.situation;
+      if (key.cause.empty()) cluster.situations = entry.take_situations();
       cluster.attribute = key.attribute;
       clusters.push_back(std::move(cluster));
     }
@@ -188,51 +186,102 @@ class ClusterGatherer::Entries {
   }
 
  private:
+  struct Situation {
+    std::size_t disagreements = 0;
+    std::size_t cases = 0;
+    std::string latest{};  // id of the last case that has it
+  };
+
   struct Entry {
     Cluster cluster;
     std::optional<std::string> latest;  // id of the last member's case
     std::optional<CaseSize> smallest;
+    std::map<std::optional<std::string>, Situation> situations;
+
+    void count(const Member& member) {
+      if (member.situation == "") return;
+      Situation& situation = situations[member.situation];
+      situation.disagreements += member.count;
+      if (situation.cases == 0 || situation.latest != *latest) ++situation.cases;
+      situation.latest = *latest;
+    }
+
+    std::vector<ClusterSituation> take_situations() const {
+      std::vector<ClusterSituation> list;
+      for (const auto& [text, situation] : situations)
+        list.push_back({text.value_or("of a gross fault, only counted"), !text,
+                        situation.disagreements, situation.cases});
+      std::ranges::stable_sort(list, std::ranges::greater(), &ClusterSituation::disagreements);
+      return list;
+    }
   };
   std::map<Key, Entry> entries_;
 };
 
 namespace {
 
-Key key_of(const DisagreementClass& d, const std::string& situation, const std::string& surface) {
+// What the portrait says of an answer, or nothing: of what it covers, and of its colours.
+struct Explained {
+  std::string coverage;
+  std::string colors;
+};
+
+Explained explained_by(const Portrait& p, const ResultOutline& answer) {
+  return {Portrait{p.coverage, {}}.cause_of(answer), Portrait{{}, p.colors}.cause_of(answer)};
+}
+
+std::string cause_of(const DisagreementClass& d, const Explained& explained) {
+  const std::string& told =
+      d.kind == DisagreementKind::value ? explained.colors : explained.coverage;
+  const bool is_open = is_legal(d) && is_open_choice(d.cause);
+  return told.empty() || is_open ? text_of(d.cause) : told;
+}
+
+std::string cause_of(const ValueAggregate& values, const Explained& explained) {
+  return values.cause.empty() && values.rule == RuleId::framebuffer_unorm8 ? explained.colors
+                                                                           : text_of(values.cause);
+}
+
+Key key_of(const DisagreementClass& d, const Explained& explained, const std::string& surface) {
   Key key;
-  key.cause = text_of(d.cause);
+  key.cause = cause_of(d, explained);
   key.surface = surface;
   key.legality = d.legality;
-  if (d.cause.empty()) {
+  if (key.cause.empty()) {
     key.rule = name_of(d.rule);
     key.kind = name_of(d.kind);
-    key.situation = situation;
   }
   return key;
 }
 
 template <class Entries>
-void gather_disagreements(const Place& place, const Result& result, Entries& gatherer) {
+void gather_disagreements(const Place& place, const Result& result, const Explained& explained,
+                          Entries& gatherer) {
   for (const Disagreement& d : result.disagreements)
-    gatherer.add(key_of(d, d.situation, place.one->surface), place,
-                 {name_of(d.rule), name_of(d.kind), 1, d.x, d.y, d.primitive});
+    gatherer.add(key_of(d, explained, place.one->surface), place,
+                 {name_of(d.rule), name_of(d.kind), 1, d.x, d.y, d.primitive, d.situation});
   for (const CountedDisagreements& d : result.counted) {
     if (d.runs.empty()) continue;
     const PixelRun& first = d.runs.front();
-    gatherer.add(key_of(d, kSituationOfCounted, place.one->surface), place,
-                 {name_of(d.rule), name_of(d.kind), d.count(), first.begin, first.y, d.primitive});
+    gatherer.add(
+        key_of(d, explained, place.one->surface), place,
+        {name_of(d.rule), name_of(d.kind), d.count(), first.begin, first.y, d.primitive, {}});
   }
 }
 
 template <class Entries>
-void gather_values(const Place& place, const Result& result, Entries& gatherer) {
+void gather_values(const Place& place, const Result& result, const Explained& explained,
+                   Entries& gatherer) {
   const char* const kind = name_of(DisagreementKind::value);
   for (const ValueAggregate& values : result.values) {
     if (values.differing.empty()) continue;
-    Key key{
-        text_of(values.cause), place.one->surface, Legality::legal, name_of(values.rule), kind, "",
-        values.attribute};
-    if (!values.cause.empty()) key.rule = key.kind = key.attribute = "";
+    Key key{cause_of(values, explained),
+            place.one->surface,
+            Legality::legal,
+            name_of(values.rule),
+            kind,
+            values.attribute};
+    if (!key.cause.empty()) key.rule = key.kind = key.attribute = "";
     const ValueAggregate::Place& worst = values.worst;
     gatherer.add(
         key, place,
@@ -245,23 +294,24 @@ bool comes_before(const Cluster& a, const Cluster& b) {
     // The key of the cluster is part of it, so that no two are equal.
     return std::tuple(-static_cast<int>(c.legality), -static_cast<long>(c.cases),
                       -static_cast<long>(c.disagreements),
-                      std::tie(c.cause, c.rule, c.kind, c.situation, c.attribute, c.surface));
+                      std::tie(c.cause, c.rule, c.kind, c.attribute, c.surface));
   };
   return order(a) < order(b);
 }
 
 }  // namespace
 
-ClusterGatherer::ClusterGatherer() : entries_(new Entries) {}
+ClusterGatherer::ClusterGatherer(Portrait portrait)
+    : portrait_(std::move(portrait)), entries_(new Entries) {}
 
 ClusterGatherer::~ClusterGatherer() = default;
-
 ClusterGatherer::ClusterGatherer(ClusterGatherer&&) noexcept = default;
 
 void ClusterGatherer::add(const CaseResults& one, const Result& result) {
   const Place place{&one, CaseSize(one)};
-  gather_disagreements(place, result, *entries_);
-  gather_values(place, result, *entries_);
+  const Explained explained = explained_by(portrait_, result);
+  gather_disagreements(place, result, explained, *entries_);
+  gather_values(place, result, explained, *entries_);
 }
 
 std::vector<Cluster> ClusterGatherer::take() {
@@ -271,7 +321,7 @@ std::vector<Cluster> ClusterGatherer::take() {
 }
 
 std::vector<Cluster> clusters_of(const Results& results, std::size_t renderer) {
-  ClusterGatherer gatherer;
+  ClusterGatherer gatherer(portrait_of(results, renderer));
   for (std::size_t i = 0; i < results.cases.size(); ++i) {
     const std::vector<ResultOutline>& answers = results.cases.outline(i).answers;
     if (renderer >= answers.size() || answers[renderer].verdict == Verdict::agree) continue;
@@ -282,7 +332,9 @@ std::vector<Cluster> clusters_of(const Results& results, std::size_t renderer) {
 }
 
 std::vector<std::vector<Cluster>> clusters_of(const Results& results) {
-  std::vector<ClusterGatherer> gatherers(results.renderers.size());
+  std::vector<ClusterGatherer> gatherers;
+  for (std::size_t r = 0; r < results.renderers.size(); ++r)
+    gatherers.emplace_back(portrait_of(results, r));
   const auto case_of = [&](std::size_t i) {
     std::optional<CaseResults> one;
     if (has_details(results.cases.outline(i))) one = results.cases[i];
@@ -306,46 +358,42 @@ CaseSize::CaseSize(const CaseResults& one)
       length(one.id.size()),
       id(one.id) {}
 
-std::optional<Cluster> leading_cluster(const CaseResults& one, const Result& result) {
+std::optional<Cluster> leading_cluster(const CaseResults& one, const Result& result,
+                                       const Portrait& portrait) {
+  const Explained explained = explained_by(portrait, result);
   Cluster cluster;
   cluster.surface = one.surface;
-  if (const auto worst =
-          std::ranges::max_element(result.disagreements, {}, &Disagreement::legality);
-      worst != result.disagreements.end()) {
-    cluster.cause = text_of(worst->cause);
-    cluster.legality = worst->legality;
-    cluster.rule = name_of(worst->rule);
-    cluster.kind = name_of(worst->kind);
-    if (worst->cause.empty()) cluster.situation = worst->situation;
+  const auto told = [&](const std::string& cause, Legality legality, const auto& of) {
+    cluster.cause = cause;
+    cluster.legality = legality;
+    cluster.rule = name_of(of.rule);
     return cluster;
+  };
+  cluster.kind = name_of(DisagreementKind::value);
+  const auto worst = std::ranges::max_element(result.disagreements, {}, &Disagreement::legality);
+  if (worst != result.disagreements.end()) {
+    cluster.kind = name_of(worst->kind);
+    return told(cause_of(*worst, explained), worst->legality, *worst);
   }
   for (const ValueAggregate& values : result.values) {
     if (values.differing.empty()) continue;
-    cluster.cause = text_of(values.cause);
-    cluster.legality = Legality::legal;
-    cluster.rule = name_of(values.rule);
-    cluster.kind = name_of(DisagreementKind::value);
-    if (values.cause.empty()) cluster.attribute = values.attribute;
-    return cluster;
+    const std::string cause = cause_of(values, explained);
+    if (cause.empty()) cluster.attribute = values.attribute;
+    return told(cause, Legality::legal, values);
   }
   return std::nullopt;
 }
 
 bool is_same_cluster(const Cluster& a, const Cluster& b) {
-  if (a.cause != b.cause || a.surface != b.surface || a.legality != b.legality) return false;
-  const auto without_cause = [](const Cluster& cluster) {
-    return std::tie(cluster.rule, cluster.kind, cluster.situation, cluster.attribute);
-  };
-  return !a.cause.empty() || without_cause(a) == without_cause(b);
+  const auto key = [](const Cluster& c) { return std::tie(c.cause, c.surface, c.legality); };
+  const auto rest = [](const Cluster& c) { return std::tie(c.rule, c.kind, c.attribute); };
+  return key(a) == key(b) && (!a.cause.empty() || rest(a) == rest(b));
 }
 
 std::string title_of(const Cluster& cluster) {
-  std::string text = cluster.cause;
-  if (text.empty()) {
-    text = cluster.rule + " " + (cluster.attribute.empty() ? cluster.kind : cluster.attribute);
-    if (!cluster.attribute.empty()) text += " within what is permitted";
-    if (!cluster.situation.empty()) text += ", " + cluster.situation;
-  }
+  const std::string what =
+      cluster.attribute.empty() ? cluster.kind : cluster.attribute + " within what is permitted";
+  const std::string text = cluster.cause.empty() ? cluster.rule + " " + what : cluster.cause;
   return cluster.surface.empty() ? text : text + ", " + cluster.surface;
 }
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Clusters: the differences of a renderer, grouped by their cause or their geometric situation.
+// Clusters: the differences of a renderer, grouped by their cause, or by rule and kind.
 //
-// Ten thousand disagreements of a run may be three faults. Differences with a catalogued cause form
-// one cluster per cause, wherever they lie on a primitive. Unexplained ones are grouped by rule,
-// kind and situation ("first pixel, start on the diamond's lower corner"). Each cluster names its
+// Ten thousand disagreements of a run may be three faults. What the renderer's portrait explains
+// forms one cluster, but for what an open choice does. Other differences with a catalogued cause
+// form one cluster per cause, unexplained ones one of their rule and kind. Where on a primitive
+// they lie
+// ("first pixel, start on the diamond's lower corner") is told within it. Each cluster names its
 // smallest case. Different surfaces and legalities are never in one cluster.
-//
-// Disagreements that are only counted (Result::counted) have no situation of their own: unexplained
-// ones form a cluster of their rule and kind, whose situation says so (kSituationOfCounted).
 #pragma once
 
 #include <compare>
@@ -42,7 +41,7 @@ using WantedAnswer = std::function<bool(const ResultOutline&)>;
 
 // The answers that are wanted, by their verdict: violation, contested, permitted, convention,
 // agree, not-run. Within a verdict those come first whose first disagreement is of a cause, or
-// without one of a rule, kind and situation, that more of the renderer's answers begin with. Ties
+// without one of a rule and kind, that more of the renderer's answers begin with. Ties
 // stay in the order of cases and renderers.
 std::vector<AnswerPlace> worst_first(const Results& results, const WantedAnswer& is_wanted);
 
@@ -62,8 +61,20 @@ class WorstFirst {
   std::unique_ptr<Entries> entries_;
 };
 
-// In place of a situation.
-inline constexpr const char* kSituationOfCounted = "of a gross fault, only counted";
+// Some differences of a cluster without a cause, by where on a primitive they lie.
+struct ClusterSituation {
+  std::string text;         // in words
+  bool is_counted = false;  // they are only counted (Result::counted); the text says so
+  std::size_t disagreements = 0;
+  std::size_t cases = 0;  // that have at least one of them
+  friend bool operator==(const ClusterSituation&, const ClusterSituation&) = default;
+};
+
+// [text, disagreements, cases], for every kind of document of the JSON library.
+template <class Json>
+void to_json(Json& json, const ClusterSituation& situation) {
+  json = Json::array({situation.text, situation.disagreements, situation.cases});
+}
 
 struct Cluster {
   std::string rule;                       // id; empty: several, which the cause joins
@@ -71,7 +82,8 @@ struct Cluster {
   std::string surface;                    // "fbo", "window"
   Legality legality = Legality::illegal;  // of all of them
   std::string cause;                      // empty: none found
-  std::string situation;                  // in words; empty where there is a cause, and for values
+  // The most frequent first; none where there is a cause, and for values.
+  std::vector<ClusterSituation> situations;
   // "color", "depth", "pixel": values that differ within the permitted range; empty otherwise.
   std::string attribute;
   std::size_t disagreements = 0;  // with `attribute`: values
@@ -89,7 +101,8 @@ struct Cluster {
 // The cluster of the difference that an answer is told by: the first of the worst, else the first
 // attribute whose values differ. Its counts and its smallest case are not set. Nothing for an
 // answer in which nothing differs, or that is none.
-std::optional<Cluster> leading_cluster(const CaseResults& one, const Result& result);
+std::optional<Cluster> leading_cluster(const CaseResults& one, const Result& result,
+                                       const Portrait& portrait = {});
 
 // True if both are of one cluster of their renderer.
 bool is_same_cluster(const Cluster& a, const Cluster& b);
@@ -105,7 +118,7 @@ std::vector<std::vector<Cluster>> clusters_of(const Results& results);
 // The same of results that come one after the other, of one renderer.
 class ClusterGatherer {
  public:
-  ClusterGatherer();
+  explicit ClusterGatherer(Portrait portrait = {});
   ~ClusterGatherer();
   ClusterGatherer(ClusterGatherer&&) noexcept;
 
@@ -116,6 +129,7 @@ class ClusterGatherer {
 
  private:
   class Entries;
+  Portrait portrait_;
   std::unique_ptr<Entries> entries_;
 };
 
@@ -130,8 +144,8 @@ struct CaseSize {
   friend auto operator<=>(const CaseSize&, const CaseSize&) = default;
 };
 
-// The name of a cluster among those of its renderer, on one line: "line.diamond-exit extra, first
-// pixel, window" or "triangle.fill-rule=left-bottom, fbo". Without legality and counts.
+// The name of a cluster among those of its renderer, on one line: "line.diamond-exit extra, window"
+// or "triangle.fill-rule=left-bottom, fbo". Without legality and counts.
 std::string title_of(const Cluster& cluster);
 
 }  // namespace edgecase

@@ -61,4 +61,11 @@ std::vector<std::size_t> idle_renderers(const Results& results) {
   return idle;
 }
 
+Portrait portrait_of(const Results& results, std::size_t renderer) {
+  PortraitGatherer gatherer;
+  for (const CaseOutline& one : results.cases.outlines())
+    if (renderer < one.answers.size()) gatherer.add(one.answers[renderer]);
+  return gatherer.portrait();
+}
+
 }  // namespace edgecase

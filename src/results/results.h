@@ -20,6 +20,7 @@
 #include "model/result.h"
 #include "model/storage.h"
 #include "results/case_list.h"
+#include "rules/portrait.h"
 
 namespace edgecase {
 
@@ -110,6 +111,9 @@ std::vector<Refusal> refusals_of(const Results& results, std::size_t renderer);
 bool drew_nothing(const Results& results, std::size_t renderer);
 // The renderers of which that is so, by index; none of a shard, whose neighbours may have drawn.
 std::vector<std::size_t> idle_renderers(const Results& results);
+
+// What all answers of the renderer at `renderer` together say of it.
+Portrait portrait_of(const Results& results, std::size_t renderer);
 
 // verdict -> number of cases, for the renderer at `index`.
 std::map<Verdict, std::size_t> count_verdicts(const Results& results, std::size_t index);

@@ -68,12 +68,12 @@
 //
 //   {"end": true, "cases": number of them, "interrupted", "left_out", "diagnostics": [...],
 //    "faults": [{"renderer", "id", "reason", "link", "cases", "state", "before"}], "summary",
-//    "clusters": {RENDERER: [...]}}
+//    "portraits": {RENDERER: [sentence, ...]}, "clusters": {RENDERER: [...]}}
 //
 // "left_out", absent if it is 0, is the number of cases that are missing because the run ended
 // early. "faults" are the known faults as they occur in the run (FaultSeen); "before" is absent if
-// the release has no count. Clusters (results/clusters.h) and the summary are computed from the
-// cases, and not read back.
+// the release has no count. Portraits (rules/portrait.h), clusters (results/clusters.h) and the
+// summary are computed from the cases, and not read back.
 #pragma once
 
 #include <cstddef>

@@ -80,12 +80,12 @@ Json cluster_json(const Cluster& cluster) {
   add("cause", cluster.cause);
   add("rule", cluster.rule);
   add("kind", cluster.kind);
-  add("situation", cluster.situation);
   add("attribute", cluster.attribute);
   add("surface", cluster.surface);
   object["legality"] = name_of(cluster.legality);
   object["disagreements"] = cluster.disagreements;
   object["cases"] = cluster.cases;
+  if (!cluster.situations.empty()) object["situations"] = cluster.situations;
   object["smallest"] = {{"case", cluster.smallest_case},
                         {"pixel", {cluster.x, cluster.y}},
                         {"primitive", cluster.primitive}};
@@ -217,6 +217,8 @@ Json end_json(const Results& results, Gatherers& gatherers) {
   json["diagnostics"] = list(results.diagnostics, diagnostic_json);
   json["faults"] = list(results.faults, fault_json);
   json["summary"] = summary_json(results);
+  for (std::size_t r = 0; r < results.renderers.size(); ++r)
+    json["portraits"][results.renderers[r].name] = sentences_of(portrait_of(results, r));
   json["clusters"] = clusters_json(results.renderers, gatherers);
   return json;
 }
@@ -240,7 +242,9 @@ namespace {
 
 void write_lines(const Results& results, const Take& take) {
   take(header_line(results));
-  Gatherers gatherers(results.renderers.size());
+  Gatherers gatherers;
+  for (std::size_t r = 0; r < results.renderers.size(); ++r)
+    gatherers.emplace_back(portrait_of(results, r));
   write_cases(results, take, gatherers);
   take(dump(end_json(results, gatherers)) + '\n');
 }

@@ -14,7 +14,7 @@
 
 #include "casefile/case_writer.h"
 #include "casefile/json/text.h"
-#include "diff/judge.h"
+#include "diff/verdicts.h"
 #include "results/shallow_json.h"
 #include "rules/all_rules.h"
 #include "search/fuzz.h"

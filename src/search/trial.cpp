@@ -27,9 +27,20 @@ Signature signature_of(const Cluster& cluster) {
   if (!cluster.cause.empty()) return signature;
   signature.rule = cluster.rule;
   signature.kind = cluster.kind;
-  signature.situation = cluster.situation;
   signature.attribute = cluster.attribute;
   return signature;
+}
+
+// Of a cluster whose cause is not known, one for each situation. What is only counted shows nothing
+// that those in full do not.
+void add_unexplained(const Cluster& cluster, std::vector<Signature>& signatures) {
+  Signature signature = signature_of(cluster);
+  if (cluster.situations.empty()) signatures.push_back(signature);
+  for (const ClusterSituation& situation : cluster.situations) {
+    if (situation.is_counted) continue;
+    signature.situation = situation.text;
+    signatures.push_back(signature);
+  }
 }
 
 // The rules and kinds that a cause breaks, without duplicates, in the order of the disagreements.
@@ -65,9 +76,9 @@ std::vector<Signature> signatures_of(const Result& result, Surface surface) {
   gatherer.add(one, result);
   std::vector<Signature> signatures;
   for (const Cluster& cluster : gatherer.take()) {
-    // What is only counted shows nothing that those in full do not.
-    if (cluster.situation == kSituationOfCounted) continue;
-    if (cluster.cause.empty() || cluster.legality == Legality::legal)
+    if (cluster.cause.empty())
+      add_unexplained(cluster, signatures);
+    else if (cluster.legality == Legality::legal)
       signatures.push_back(signature_of(cluster));
     else
       add_broken(result, cluster.cause, cluster.legality, surface, signatures);
@@ -127,9 +138,9 @@ std::string title_of(const Signature& signature) {
   cluster.cause = signature.cause;
   cluster.rule = signature.rule;
   cluster.kind = signature.kind;
-  cluster.situation = signature.situation;
   cluster.attribute = signature.attribute;
   std::string title = title_of(cluster);
+  if (!signature.situation.empty()) title += ", " + signature.situation;
   if (!signature.cause.empty() && !signature.rule.empty())
     title = signature.rule + " " + signature.kind + " by " + title;
   if (signature.attribute.empty()) title += std::string(", ") + describe(signature.legality);

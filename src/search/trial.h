@@ -30,11 +30,11 @@ namespace edgecase {
 
 // Signature: what defines a find, so that two scenes can be said to show the same.
 //
-// For one scene it is what distinguishes clusters (results/clusters.h): the cause if there is one,
-// and otherwise rule, kind and situation; always surface and legality. If a cause breaks a rule,
-// rule and kind count as well: lines that leave a gap where they meet and lines that draw a pixel
-// twice there are two finds, though one algorithm does both. A renderer that fails to answer is a
-// find too, identified by its kind of failure.
+// For one scene it is what distinguishes clusters (results/clusters.h), and situations within them:
+// the cause if there is one, and otherwise rule, kind and situation; always surface and legality.
+// If a cause breaks a rule, rule and kind count as well: lines that leave a gap where they meet and
+// lines that draw a pixel twice there are two finds, though one algorithm does both. A renderer
+// that fails to answer is a find too, identified by its kind of failure.
 
 struct Signature {
   std::string cause;    // "rule=alternative", several joined by " + "; empty: none found

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "diff/findings/patience.h"
+#include "diff/verdicts.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
 #include "tests/diff/named_scenes.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Each pixel counts once, by the worst that was found at it.
-#include "diff/judge.h"
+#include "diff/verdicts.h"
 
 #include <gtest/gtest.h>
 

@@ -229,13 +229,14 @@ TEST(Summary, ListsTenCausesAndTheSimplestCaseOfEach) {
   results.renderers.resize(1);
   for (int i = 0; i < 23; ++i) {
     CaseResults one = wrong_case("case-" + std::to_string(i), 0, false);
-    one.results[0].disagreements[0].situation = "place " + std::to_string(i % 12);
+    one.results[0].disagreements[0].cause = cause_named(
+        "line.snap=" + std::to_string(4 + i % 12 % 6) + (i % 12 < 6 ? "-truncate" : "-half-up"));
     one.width = 100 - i;
     results.cases.push_back(one);
   }
   const std::string text = summary_of(results, false);
   EXPECT_THAT(text, HasSubstr("  2 cases, : violation, not known\n"
-                              "    line.diamond-exit extra, place 0, fbo\n    case-12: "));
+                              "    line.snap=4-truncate, fbo\n    case-12: "));
   EXPECT_THAT(text, HasSubstr("\n  and 2 more causes\n"));
   EXPECT_THAT(text, Not(HasSubstr("case-11: ")));  // the only one of its cause, which comes last
 }
@@ -269,7 +270,7 @@ TEST(Summary, ShowsWhatDiffersWithTheCommandThatExplainsIt) {
 What differs with exec:python3 mine.py:
   not allowed  line.snap=4-truncate, fbo: 2 in 1 case
                edgecase explain cases/lines/a.json --filter lines/a:dx=0 --against 'exec:python3 mine.py' --pixel 0,1
-  not allowed  line.diamond-exit extra, line, place 0, fbo: 1 in 1 case
+  not allowed  line.diamond-exit extra, fbo: 1 in 1 case
                edgecase explain cases/lines/a.json --filter lines/a:dx=0 --against 'exec:python3 mine.py' --pixel 0,1
 )"));
 }
@@ -298,16 +299,18 @@ TEST(Summary, ShowsFiveClustersOfEachLegality) {
   const auto with_contested = [](int count) {
     Results results = clustered(count);
     edit_each(results.cases, [](CaseResults& one) {
-      one.results[0].disagreements[2].legality = Legality::contested;
+      Disagreement& d = one.results[0].disagreements[2];
+      d.legality = Legality::contested;
+      d.cause = cause_named("line.snap=" + std::to_string(d.x + 4) + "-half-up");
     });
     return summary_of(results, false);
   };
   const std::string five = with_contested(5);
-  EXPECT_THAT(five, HasSubstr("place 4,"));
+  EXPECT_THAT(five, HasSubstr("snap=8-half-up,"));
   EXPECT_THAT(five, HasSubstr("snap=8-truncate,"));
   EXPECT_THAT(five, Not(HasSubstr(" more\n")));
   const std::string seven = with_contested(7);
-  EXPECT_THAT(seven, Not(HasSubstr("place 5,")));
+  EXPECT_THAT(seven, Not(HasSubstr("snap=9-half-up,")));
   EXPECT_THAT(seven, Not(HasSubstr("snap=9-truncate,")));
   const std::size_t first = seven.find("  and 2 more\n");
   ASSERT_NE(first, std::string::npos);

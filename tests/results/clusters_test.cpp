@@ -76,7 +76,7 @@ TEST(Clusters, WithoutDisagreementsThereAreNone) {
   EXPECT_TRUE(clusters_of(results_of({case_of("a", 1, 4, {unexplained(true, "s")})}), 1).empty());
 }
 
-TEST(Clusters, UnexplainedOnesAreTakenTogetherByRuleKindAndSituation) {
+TEST(Clusters, UnexplainedOnesAreTakenTogetherByRuleAndKindAndTellTheirSituations) {
   const auto clusters = clusters_of(
       results_of({case_of("a", 1, 4, {unexplained(true, "first"), unexplained(true, "first")}),
                   case_of("b", 1, 4,
@@ -84,12 +84,13 @@ TEST(Clusters, UnexplainedOnesAreTakenTogetherByRuleKindAndSituation) {
                            unexplained(true, "first", DisagreementKind::extra),
                            disagreement(kFill, DisagreementKind::missing, true, "", "first")})}),
       0);
-  EXPECT_EQ(
-      titles(clusters),
-      (Titles{"line.diamond-exit missing, first, fbo", "line.diamond-exit extra, first, fbo",
-              "line.diamond-exit missing, last, fbo", "triangle.fill-rule missing, first, fbo"}));
-  EXPECT_EQ(clusters[0].disagreements, 3U);
+  EXPECT_EQ(titles(clusters),
+            (Titles{"line.diamond-exit missing, fbo", "line.diamond-exit extra, fbo",
+                    "triangle.fill-rule missing, fbo"}));
+  EXPECT_EQ(clusters[0].disagreements, 4U);
   EXPECT_EQ(clusters[0].cases, 2U);
+  EXPECT_EQ(clusters[0].situations,
+            (std::vector<ClusterSituation>{{"first", false, 3, 2}, {"last", false, 1, 1}}));
   EXPECT_EQ(clusters[1].disagreements, 1U);
 }
 
@@ -108,7 +109,7 @@ TEST(Clusters, ExplainedOnesAreTakenTogetherByCauseAlone) {
   EXPECT_EQ(clusters[0].legality, Legality::illegal);
   EXPECT_EQ(clusters[1].rule, kFill);
   EXPECT_EQ(clusters[1].kind, "") << "several kinds";
-  EXPECT_EQ(clusters[1].situation, "");
+  EXPECT_TRUE(clusters[1].situations.empty());
   EXPECT_EQ(clusters[1].cause, cause);
   EXPECT_EQ(clusters[1].legality, Legality::legal);
 }
@@ -119,7 +120,7 @@ TEST(Clusters, SurfacesAreNotMixed) {
   Results results = results_of(cases);
   edit(results.cases, 1)->surface = "window";
   EXPECT_EQ(titles(clusters_of(results, 0)),
-            (Titles{"line.diamond-exit missing, s, window", "line.diamond-exit missing, s, fbo"}));
+            (Titles{"line.diamond-exit missing, window", "line.diamond-exit missing, fbo"}));
 }
 
 // Whatever the numbers are: illegal, contested, legal; then the cases that share them.
@@ -142,7 +143,7 @@ TEST(Clusters, TheIllegalComeFirstThenTheContestedThenTheRest) {
            {disagreement(kFill, DisagreementKind::extra, false, "line.snap=5-half-even", "")})});
   const auto clusters = clusters_of(results, 0);
   EXPECT_EQ(titles(clusters),
-            (Titles{"line.snap=5-half-even, fbo", "line.diamond-exit missing, rare, fbo",
+            (Titles{"line.snap=5-half-even, fbo", "line.diamond-exit missing, fbo",
                     "line.snap=6-half-even, fbo", "line.snap=8-half-even, fbo",
                     "line.snap=9-half-even, fbo"}));
   EXPECT_EQ(clusters[2].legality, Legality::contested);
@@ -153,13 +154,12 @@ TEST(Clusters, OfAsManyCasesTheLargestComesFirst) {
   const auto explained = [](const char* cause) {
     return disagreement(kFill, DisagreementKind::extra, false, cause, "");
   };
-  Results results = results_of(
-      {case_of("a", 1, 4,
-               {explained("line.snap=5-half-even"), explained("line.snap=5-half-even"),
-                explained("line.snap=5-half-even"), explained("line.snap=4-half-even"),
-                unexplained(true, "legal"), unexplained(true, "legal"), unexplained(true, "legal"),
-                unexplained(false, "once z"), unexplained(false, "once a"),
-                unexplained(false, "twice"), unexplained(false, "twice")})});
+  Results results = results_of({case_of(
+      "a", 1, 4,
+      {explained("line.snap=5-half-even"), explained("line.snap=5-half-even"),
+       explained("line.snap=5-half-even"), explained("line.snap=4-half-even"),
+       unexplained(true, "legal"), unexplained(true, "legal"), unexplained(true, "legal"),
+       explained("line.snap=8-half-up"), unexplained(false, "z"), unexplained(false, "a")})});
   ValueAggregate values;
   values.attribute = "color";
   values.rule = rule_named("attribute.smooth");
@@ -175,27 +175,26 @@ TEST(Clusters, OfAsManyCasesTheLargestComesFirst) {
   const auto clusters = clusters_of(results, 0);
   EXPECT_EQ(
       titles(clusters),
-      (Titles{"line.snap=5-half-even, fbo", "line.diamond-exit missing, twice, fbo",
-              "line.diamond-exit missing, once a, fbo", "line.diamond-exit missing, once z, fbo",
-              "line.snap=4-half-even, fbo", "line.snap=6-half-even, fbo",
-              "attribute.smooth color within what is permitted, fbo",
-              "line.diamond-exit missing, legal, fbo"}));
-  EXPECT_EQ(clusters[6].disagreements, 50U);
-  EXPECT_EQ(clusters[6].x, 2);
-  EXPECT_EQ(clusters[6].y, 3);
+      (Titles{"line.snap=5-half-even, fbo", "line.diamond-exit missing, fbo",
+              "line.snap=4-half-even, fbo", "line.snap=8-half-up, fbo",
+              "line.snap=6-half-even, fbo", "attribute.smooth color within what is permitted, fbo",
+              "line.diamond-exit missing, fbo"}));
+  EXPECT_EQ(clusters[5].disagreements, 50U);
+  EXPECT_EQ(clusters[5].x, 2);
+  EXPECT_EQ(clusters[5].y, 3);
 }
 
 // Fewest primitives, then the smallest target, then the shortest id, then the first: each decides
 // against all that come after it.
 TEST(Clusters, TheSmallestCaseIsNamedWithItsFirstPixel) {
-  const auto other = unexplained(true, "other");
+  const auto other = unexplained(true, "other", DisagreementKind::extra);
   const auto here = unexplained(true, "here");
   std::vector<CaseResults> cases = {
       case_of("a", 3, 2, {here}), case_of("aa", 2, 5, {here}), case_of("bbb", 2, 4, {here}),
       case_of("cc", 2, 4, {other, here, here}), case_of("dd", 2, 4, {here})};
   const auto smallest = [&] {
     const auto clusters = clusters_of(results_of(cases), 0);
-    return *std::ranges::find(clusters, "here", &Cluster::situation);
+    return *std::ranges::find(clusters, "missing", &Cluster::kind);
   };
   EXPECT_EQ(smallest().smallest_case, "cc");
   EXPECT_EQ(smallest().x, 1);
@@ -230,19 +229,21 @@ TEST(Clusters, EveryDisagreementIsInOneCluster) {
 TEST(Clusters, StandInTheResultsFile) {
   const Results results = results_of(
       {case_of("lines/a", 1, 4,
-               {unexplained(false, "first pixel"),
+               {unexplained(false, "first pixel"), unexplained(false, "last pixel"),
+                unexplained(false, "last pixel"),
                 disagreement(kFill, DisagreementKind::extra, true, "line.snap=7-half-even", "")})});
   std::ostringstream out;
   write_results(results, out);
   const auto clusters =
       nlohmann::json::parse(out.str().substr(out.str().find("{\"end\""))).at("clusters");
   EXPECT_EQ(clusters, nlohmann::json::parse(R"({"fake": [
-    {"rule": "line.diamond-exit", "kind": "missing", "situation": "first pixel", "surface": "fbo",
-     "legality": "illegal", "disagreements": 1, "cases": 1,
+    {"rule": "line.diamond-exit", "kind": "missing", "surface": "fbo",
+     "legality": "illegal", "disagreements": 3, "cases": 1,
+     "situations": [["last pixel", 2, 1], ["first pixel", 1, 1]],
      "smallest": {"case": "lines/a", "pixel": [0, 3], "primitive": 3}},
     {"cause": "line.snap=7-half-even", "rule": "triangle.fill-rule", "kind": "extra", "surface": "fbo",
      "legality": "legal", "disagreements": 1, "cases": 1,
-     "smallest": {"case": "lines/a", "pixel": [1, 3], "primitive": 3}}]})"));
+     "smallest": {"case": "lines/a", "pixel": [3, 3], "primitive": 3}}]})"));
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ TEST(Signature, IsThatOfTheClusterInTheResults) {
   results.cases.push_back(one);
   const auto clusters = clusters_of(results, 1);
   ASSERT_EQ(signatures.size(), clusters.size());
-  EXPECT_EQ(signatures[0].situation, clusters[0].situation);
+  EXPECT_EQ(signatures[0].situation, clusters[0].situations.front().text);
   EXPECT_EQ(signatures[0].surface, "window");
 }
 

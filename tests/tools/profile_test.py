@@ -105,7 +105,7 @@ class Profile(CommandTest):
         short = self.command(*measure).stdout.splitlines()
         self.assertEqual(len(short), 10)
         self.assertRegex(short[0], r"^exact: ")
-        self.assertRegex(short[2], r"^fbo: \d+ of \d+ traits hold in every scene")
+        self.assertRegex(short[2], r"^fbo: \d+ of \d+ traits that were asked hold in every scene")
         self.assertEqual(short[4], "  outside the specification: nothing")
         self.assertTrue(short[-1].startswith("--full prints the tables"))
         full = self.command(*measure, "--full").stdout.splitlines()

@@ -292,6 +292,10 @@ PixelTruth truth_of_fragment(const ValueContext& context, const Fragment& fragme
     truth.permitted[3] = with_fade(context, fragment, truth.permitted[3]);
     return truth;
   }
+  if (context.is_open_stray(fragment)) {
+    truth.permitted.fill(Interval::everything());
+    return truth;
+  }
   if (context.primitive_of(fragment).state->texture) {
     truth = context.looked_up(fragment);
     truth.permitted[3] = with_fade(context, fragment, truth.permitted[3]);

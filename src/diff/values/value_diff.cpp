@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "diff/coverage/vertex_latitude.h"
@@ -57,6 +59,21 @@ ValueContext::ValueContext(const Scene& of, std::span<const ScenePrimitive> all,
       fixed_unit_(permitted_fixed_unit(of.target.depth)),
       positions_(positions_of(of.target, CoverageChoice{}, reported)),
       values_(all.size()) {}
+
+void ValueContext::leave_strays_open(const Rendering& exact, const Rendering& rendered) {
+  const auto place_of = [](const Fragment& f) { return std::tuple(f.y, f.x, f.primitive); };
+  strays_.clear();
+  auto own = exact.fragments.begin();
+  for (const Fragment& fragment : rendered.fragments) {
+    while (own != exact.fragments.end() && place_of(*own) < place_of(fragment)) ++own;
+    const bool is_drawn = own != exact.fragments.end() && place_of(*own) == place_of(fragment);
+    if (!is_drawn) strays_.push_back(&fragment);
+  }
+}
+
+bool ValueContext::is_open_stray(const Fragment& fragment) const {
+  return std::ranges::binary_search(strays_, &fragment, std::less<>());
+}
 
 PixelTruth ValueContext::looked_up(const Fragment& fragment) const {
   if (looked_up_) return looked_up_(fragment);

@@ -69,6 +69,11 @@ class ValueContext {
     looked_up_ = std::move(looked_up);
   }
   PixelTruth looked_up(const Fragment& fragment) const;
+  // Of a gross fault: strays, which are fragments of `rendered` whose pixel their primitive has
+  // none of in `exact`, may have any colour that they do not tell. Their coverage is judged, and to
+  // bound the colours of hundreds of thousands would take most of the time.
+  void leave_strays_open(const Rendering& exact, const Rendering& rendered);
+  bool is_open_stray(const Fragment& fragment) const;
 
   const Scene& scene;
   std::span<const ScenePrimitive> primitives;
@@ -105,6 +110,7 @@ class ValueContext {
   Interval fixed_unit_;
   LookupLimits lookup_limits_;
   std::function<PixelTruth(const Fragment&)> looked_up_;
+  std::vector<const Fragment*> strays_;  // ascending
   SamplePositions positions_;
   // Computed on demand for each primitive; some kilobytes each.
   mutable std::vector<std::unique_ptr<PrimitiveValues>> values_;

@@ -64,6 +64,8 @@ struct Trait {
   Rate runner_up_rate = {};
   std::string remark = {};  // a sentence for people; often empty
 
+  // Whether a scene, pixel or number distinguished the alternatives at all.
+  bool is_asked() const { return rate.of > 0; }
   // Whether the runner-up fits equally well.
   bool is_undecided() const {
     return !runner_up.empty() && rate.agreeing == runner_up_rate.agreeing;
