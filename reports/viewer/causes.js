@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT The causes of all differences: clusters of every renderer
-// (results/clusters.h) that share a cause, or a rule and a kind, whatever their surface and legality, with the answers that are decided together.
+// (results/clusters.h) that share a cause, or a rule and a kind, whatever their surface and
+// legality, with the answers that are decided together.
 
 const FAILURES = {
   crashed: "The renderer crashed", "timed-out": "The renderer gave no answer in time",

@@ -26,6 +26,7 @@
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
 #include "raster/rasterizer.h"
+#include "rules/all_rules.h"
 #include "rules/choices.h"
 #include "rules/coverage/window.h"
 #include "rules/rule.h"
@@ -90,6 +91,14 @@ void compare_places(const Target& target, const SamplePositions& reported, Resul
   }
 }
 
+// True if what is only counted is a violation, whatever the run says: a stray that may be legal
+// must show the right colour.
+bool is_surely_gross(const Result& result) {
+  return std::ranges::any_of(result.counted, [](const DisagreementClass& d) {
+    return !is_legal(d) && !is_about_a_line(d) && legality_against(d.ruling) == Legality::illegal;
+  });
+}
+
 }  // namespace
 
 Result compare_drawing(const Drawing& drawing, const AlternativeSet& refuted, Compared compared) {
@@ -113,7 +122,7 @@ Result compare_drawing(const Drawing& drawing, const AlternativeSet& refuted, Co
     if (rendered.samples > 1) values.follow(followed_rate(values, rendered));
     values.follow_limits(facts.lookups);
     values.follow_fixed_unit(followed_fixed_unit(values, rendered));
-    if (!result.counted.empty()) values.leave_strays_open(exact, rendered);
+    if (is_surely_gross(result)) values.leave_strays_open(exact, rendered);
     std::optional<UntoldColors> untold;
     if (has_untold_colors(values, rendered)) {
       untold.emplace(values, exact, rendered);

@@ -96,7 +96,12 @@ class GrossFaults(CommandTest):
         self.assertEqual(result["pixel_counts"]["agree"], 0)
         self.assertEqual(len(result["disagreements"]), SHOWN)
         self.assertEqual([one["count"] for one in result["counted"]], [SIZE * SIZE - SHOWN])
-        self.assertIn("of a gross fault, only counted", self.summary)
+        self.assertIn(f"triangle.fill-rule missing, fbo: {SIZE * SIZE} in 1 case", self.summary)
+        (clusters,) = results["clusters"].values()
+        missing = [cluster for cluster in clusters if cluster["kind"] == "missing"]
+        self.assertEqual([cluster["disagreements"] for cluster in missing], [SIZE * SIZE])
+        self.assertIn(["of a gross fault, only counted", SIZE * SIZE - SHOWN, 1],
+                      missing[0]["situations"])
         read = lambda name: (self.folder / name).read_text(encoding="utf-8")
         self.assertIn(f"and {SIZE * SIZE - 20} more, see results", read("out.xml"))
         self.assertIn(f"{SIZE * SIZE:,} disagreements", read("out.md"))
