@@ -17,7 +17,7 @@
 #include "reports/ramp.h"
 #include "reports/sample_data.h"
 #include "reports/text.h"
-#include "results/clusters.h"
+#include "results/worst_first.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

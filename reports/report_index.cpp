@@ -17,6 +17,7 @@
 #include "reports/text.h"
 #include "results/clusters.h"
 #include "results/standing.h"
+#include "results/worst_first.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

@@ -15,6 +15,7 @@
 #include "reports/text.h"
 #include "reports/unexpected_summary.h"
 #include "results/clusters.h"
+#include "results/worst_first.h"
 #include "rules/renderer_claims.h"
 
 namespace edgecase {

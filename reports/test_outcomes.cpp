@@ -11,7 +11,7 @@
 
 #include "reports/explain_command.h"
 #include "reports/text.h"
-#include "results/clusters.h"
+#include "results/worst_first.h"
 
 namespace edgecase {
 namespace {

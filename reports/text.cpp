@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "model/text.h"
-#include "results/clusters.h"
+#include "results/worst_first.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

@@ -14,6 +14,7 @@
 #include "reports/explain_command.h"
 #include "reports/text.h"
 #include "results/clusters.h"
+#include "results/worst_first.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

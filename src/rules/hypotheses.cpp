@@ -201,6 +201,12 @@ bool is_about_colors(std::uint16_t number) {
   return number >= static_cast<std::uint16_t>(ColorHypothesis::red_and_blue_exchanged);
 }
 
+bool is_about_ties_alone(std::uint16_t number) {
+  if (is_about_colors(number)) return false;
+  const CoverageHypothesis hypothesis = CoverageHypothesis::of(number);
+  return hypothesis.ties != 0 && hypothesis.parts() == 1;
+}
+
 bool is_fault(std::uint16_t number) {
   if (is_about_colors(number)) return true;
   const CoverageHypothesis hypothesis = CoverageHypothesis::of(number);

@@ -109,6 +109,8 @@ std::string meaning_of(ColorHypothesis hypothesis);
 // The same of a number of either.
 std::string meaning_of_hypothesis(std::uint16_t number);
 bool is_about_colors(std::uint16_t number);
+// True if it differs from the policy in samples on edges only.
+bool is_about_ties_alone(std::uint16_t number);
 // False if the specification leaves all of it open: grids of enough bits, and orders of ties that
 // keep shared edges whole.
 bool is_fault(std::uint16_t number);

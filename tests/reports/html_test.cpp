@@ -13,6 +13,7 @@
 #include "reports/report_data.h"
 #include "results/case_results_json.h"
 #include "results/clusters.h"
+#include "results/worst_first.h"
 #include "tests/reports/large_run.h"
 #include "tests/reports/sample.h"
 #include "tests/reports/shown.h"

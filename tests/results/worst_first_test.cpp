@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The order in which people are told what a run found.
-#include "results/clusters.h"
+#include "results/worst_first.h"
 #include "tests/support/causes.h"
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 
 #include "raster/rasterizer.h"
 #include "reports/text.h"
-#include "results/clusters.h"
+#include "results/worst_first.h"
 #include "rules/all_rules.h"
 #include "run/expectation_check.h"
 #include "tools/edgecase/commands/commands.h"
