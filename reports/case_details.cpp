@@ -190,6 +190,7 @@ Json answer_json(const CaseResults& one, const Result& result) {
   json["values"] = std::move(values);
   Json evidence = Json::array();
   for (const Result::Evidence& e : result.evidence) {
+    if (e.primitive == kAllValues) continue;
     Json causes = Json::array();
     for (const Cause& cause : e.causes) causes.push_back(text_of(cause));
     evidence.push_back({{"primitive", e.primitive},

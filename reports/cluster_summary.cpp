@@ -2,6 +2,7 @@
 #include "reports/cluster_summary.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <ostream>
@@ -9,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "model/text.h"
 #include "reports/explain_command.h"
 #include "reports/text.h"
-#include "results/clusters.h"
 
 namespace edgecase {
 namespace {
@@ -41,12 +42,26 @@ bool needs_a_look(const Cluster& cluster) {
   return cluster.legality != Legality::legal || cluster.cause.empty();
 }
 
+// What is said in place of a cause: what all have in common, and what some look like.
+std::string words_without_cause(const Cluster& cluster) {
+  constexpr std::size_t kMostLikenesses = 2;
+  std::vector<std::string> words;
+  if (!cluster.common.empty()) words.push_back("all " + cluster.common);
+  for (const ClusterSituation& row : cluster.situations)
+    if (row.text.starts_with("as if ") && words.size() < kMostLikenesses)
+      words.push_back(fmt::format("{} {}", counted(row.cases, "case", "cases"), row.text));
+  if (words.empty()) return "";
+  return one_line(fmt::format("no one cause found: {}", fmt::join(words, "; ")));
+}
+
 void write_cluster(const Cluster& cluster, const RendererInfo& renderer, const std::string& policy,
                    const Painter& paint, std::ostream& out) {
   out << fmt::format(
       "  {}  {}: {}\n",
       paint(style_of(cluster.legality), fmt::format("{:<11}", describe(cluster.legality))),
       one_line(title_of(cluster)), counts_of(cluster));
+  if (const std::string words = words_without_cause(cluster); !words.empty())
+    out << fmt::format("               {}\n", words);
   if (needs_a_look(cluster))
     out << fmt::format("               {}\n", command_for(cluster, renderer, policy));
 }
@@ -71,8 +86,8 @@ void write_renderer(std::span<const Cluster> clusters, const RendererInfo& rende
 
 }  // namespace
 
-void write_clusters(const Results& results, const Painter& paint, std::ostream& out) {
-  const auto clusters = clusters_of(results);
+void write_clusters(const Results& results, const std::vector<std::vector<Cluster>>& clusters,
+                    const Painter& paint, std::ostream& out) {
   for (std::size_t r = 0; r < results.renderers.size(); ++r)
     write_renderer(clusters[r], results.renderers[r], results.policy, paint, out);
 }

@@ -146,7 +146,8 @@ struct ValueSum {
 // What the answers of one renderer come to, over all cases.
 class RendererSums {
  public:
-  explicit RendererSums(const Portrait& all) : portrait(all), clusters_(all) {}
+  RendererSums(const Results& results, std::size_t renderer)
+      : portrait(portrait_of(results, renderer)), clusters_(results, renderer) {}
   const Portrait portrait;
   void add(const CaseResults& one, const Result& result) {
     clusters_.add(one, result);
@@ -209,10 +210,10 @@ struct ReadCase {
   std::vector<Outcome> outcomes;
 };
 
-// An answer to be decided on, and the cluster that it is told by; nothing for a failure.
+// An answer to be decided on, and the key of what it is told by; nothing for a failure.
 struct UnexpectedAnswer {
   AnswerPlace place;
-  std::optional<Cluster> leading;
+  std::optional<ClusterKey> leading;
 };
 
 // Adds the cases, and sums up what the renderers answered to them.
@@ -236,7 +237,7 @@ void add_cases(Json& json, const Results& results, const ReportTexts& texts, con
       if (r < sums.size() && one.results[r].verdict != Verdict::agree)
         differing.add({i, r}, one.results[r]);
       if (is_unexpected(one.results[r].standing))
-        unexpected.push_back({{i, r}, leading_cluster(one, one.results[r], sums[r].portrait)});
+        unexpected.push_back({{i, r}, leading_key(one, one.results[r], sums[r].portrait)});
     }
     Json row = {heads.of_case[i], one.id.substr(stem_of(one.id).size()), one.fragments,
                 std::move(numbers)};
@@ -270,8 +271,7 @@ std::size_t place_of(const Results& results, std::size_t renderer, const Cluster
   const CaseResults one = results.cases[*at];
   const auto list = worst_first(one.results[renderer]);  // as case_details lists them
   const auto found = std::ranges::find_if(list, [&](const Disagreement* d) {
-    return d->x == cluster.x && d->y == cluster.y && text_of(d->cause) == cluster.cause &&
-           d->legality == cluster.legality &&
+    return d->x == cluster.x && d->y == cluster.y && d->legality == cluster.legality &&
            (cluster.kind.empty() || cluster.kind == name_of(d->kind));
   });
   return found == list.end() ? 0 : static_cast<std::size_t>(found - list.begin()) + 1;
@@ -282,6 +282,7 @@ Json cluster_json(const Cluster& cluster, std::size_t at) {
                {"rule", cluster.rule},
                {"kind", cluster.kind},
                {"situations", cluster.situations},
+               {"common", cluster.common},
                {"attribute", cluster.attribute},
                {"surface", cluster.surface},
                {"legality", name_of(cluster.legality)},
@@ -307,11 +308,9 @@ Json unexpected_json(const Results& results, const UnexpectedAnswer& answer,
   const auto& [one, renderer] = answer.place;
   const ResultOutline& outline = results.cases.outline(one).answers[renderer];
   Json told = outline.failure ? name_of(outline.failure->kind) : "";
-  if (answer.leading) {
-    const auto same = std::ranges::find_if(
-        found, [&](const Cluster& cluster) { return is_same_cluster(cluster, *answer.leading); });
-    if (same != found.end()) told = same - found.begin();
-  }
+  if (answer.leading)
+    if (const Cluster* const cluster = cluster_of(found, *answer.leading))
+      told = cluster - found.data();
   return {one, renderer, std::move(told), outline.fingerprint};
 }
 
@@ -382,8 +381,7 @@ Json report_index(const Results& results, const ReportTexts& texts, const CaseHe
   add_texts(json, texts);
   add_problems(json, results);
   std::vector<RendererSums> sums;
-  for (std::size_t r = 0; r < results.renderers.size(); ++r)
-    sums.emplace_back(portrait_of(results, r));
+  for (std::size_t r = 0; r < results.renderers.size(); ++r) sums.emplace_back(results, r);
   std::vector<UnexpectedAnswer> unexpected;
   add_cases(json, results, texts, heads, lines, sums, unexpected);
   std::vector<std::vector<Cluster>> clusters;

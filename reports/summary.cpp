@@ -216,7 +216,8 @@ void write_summary(const Results& results, bool color, std::ostream& out,
   if (cost && !cost->note.empty()) out << one_line(cost->note) << '\n';
   write_portraits(results, paint, out);
   write_idle(results, paint, out);
-  write_unexpected(results, paint, out);
+  const auto clusters = clusters_of(results);
+  write_unexpected(results, clusters, paint, out);
 
   std::vector<std::string> files;
   for (const Diagnostic& diagnostic : results.diagnostics)
@@ -234,7 +235,7 @@ void write_summary(const Results& results, bool color, std::ostream& out,
   write_refused_claims(results, out);
   write_known(results, out);
   write_unsupported(results, out);
-  write_clusters(results, paint, out);
+  write_clusters(results, clusters, paint, out);
 }
 
 void write_changes(const Comparison& comparison, bool color, std::ostream& out) {

@@ -7,13 +7,13 @@
 #include <map>
 #include <optional>
 #include <ostream>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "model/text.h"
 #include "reports/explain_command.h"
 #include "reports/text.h"
-#include "results/clusters.h"
 #include "results/worst_first.h"
 #include "rules/all_rules.h"
 
@@ -28,10 +28,12 @@ const Disagreement* leading(const Result& result) {
   return sorted.empty() ? nullptr : sorted.front();
 }
 
-std::string cause_of(const CaseResults& one, const Result& result, const Portrait& portrait) {
+std::string cause_of(const CaseResults& one, const Result& result, const Portrait& portrait,
+                     std::span<const Cluster> clusters) {
   if (result.failure) return name_of(result.failure->kind);
-  const auto cluster = leading_cluster(one, result, portrait);
-  return cluster ? title_of(*cluster) : "";
+  const auto key = leading_key(one, result, portrait);
+  const Cluster* const cluster = key ? cluster_of(clusters, *key) : nullptr;
+  return cluster != nullptr ? title_of(*cluster) : "";
 }
 
 int urgency_of(Verdict verdict) {
@@ -88,7 +90,8 @@ bool is_counted(const ResultOutline& answer) {
 
 }  // namespace
 
-std::vector<UnexpectedGroup> unexpected_groups(const Results& results) {
+std::vector<UnexpectedGroup> unexpected_groups(const Results& results,
+                                               const std::vector<std::vector<Cluster>>& clusters) {
   using Key = std::tuple<std::size_t, Standing, Verdict, bool, std::string>;
   std::map<Key, UnexpectedGroup> groups;
   std::map<Key, CaseSize> sizes;  // of the simplest
@@ -103,7 +106,7 @@ std::vector<UnexpectedGroup> unexpected_groups(const Results& results) {
       if (!is_counted(result)) continue;
       const bool partly = !result.faults.empty();
       const std::string cause =
-          cause_of(one, result, r < portraits.size() ? portraits[r] : Portrait());
+          r < portraits.size() ? cause_of(one, result, portraits[r], clusters[r]) : "";
       const Key key(r, result.standing, result.verdict, partly, cause);
       UnexpectedGroup& group = groups[key];
       if (group.cases == 0) group = {r, result.standing, result.verdict, partly, cause, 0, i};
@@ -120,8 +123,9 @@ std::vector<UnexpectedGroup> unexpected_groups(const Results& results) {
   return sorted;
 }
 
-void write_unexpected(const Results& results, const Painter& paint, std::ostream& out) {
-  const std::vector<UnexpectedGroup> groups = unexpected_groups(results);
+void write_unexpected(const Results& results, const std::vector<std::vector<Cluster>>& clusters,
+                      const Painter& paint, std::ostream& out) {
+  const std::vector<UnexpectedGroup> groups = unexpected_groups(results, clusters);
   if (groups.empty()) return;
   out << '\n' << paint.bold("Unexpected, by cause:") << '\n';
   const std::size_t listed = std::min(kMaxListed, groups.size());

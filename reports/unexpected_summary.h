@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reports/painter.h"
+#include "results/clusters.h"
 #include "results/results.h"
 
 namespace edgecase {
@@ -27,11 +28,13 @@ struct UnexpectedGroup {
 };
 
 // Violations first, then answers that did not come, then the rest by verdict; within each the
-// groups of most cases first, ties by cause and renderer.
-std::vector<UnexpectedGroup> unexpected_groups(const Results& results);
+// groups of most cases first, ties by cause and renderer. `clusters`: by renderer.
+std::vector<UnexpectedGroup> unexpected_groups(const Results& results,
+                                               const std::vector<std::vector<Cluster>>& clusters);
 
 // At most 10 groups, and how many more there are; nothing where all is expected. Text from files
 // and renderers stands on one line, its control characters visible.
-void write_unexpected(const Results& results, const Painter& paint, std::ostream& out);
+void write_unexpected(const Results& results, const std::vector<std::vector<Cluster>>& clusters,
+                      const Painter& paint, std::ostream& out);
 
 }  // namespace edgecase

@@ -76,8 +76,8 @@ function groupTitle(group) {
     ? first.attribute + " within what is permitted" : KIND_WORDS[first.kind]);
 }
 
-// Where on their primitives the differences of a group without a cause lie: [words, differences,
-// cases], the most frequent first.
+// Where on their primitives the differences of a group without a cause lie, and what they look like
+// in their case alone: [words, differences, cases], the most frequent first.
 function situationsOf(group) {
   const all = new Map();
   for (const {situations} of group.clusters)
@@ -88,13 +88,16 @@ function situationsOf(group) {
   return [...all.values()].filter(([words]) => words).sort((a, b) => b[1] - a[1]);
 }
 
-// What the alternatives of a cause mean, or where on a primitive most of the differences lie.
+// What the alternatives of a cause mean, or where on a primitive most of the differences lie and what
+// all have in common.
 function groupMeaning(group) {
   const {first} = group;
   if (!first) return "";
   if (!first.cause) {
     const [most, ...others] = situationsOf(group);
-    return most ? most[0] + (others.length ? ", and " + plural(others.length, "other place", "other places") : "") : "";
+    const common = group.clusters.map((cluster) => cluster.common).find(Boolean);
+    const places = most ? most[0] + (others.length ? ", and " + plural(others.length, "other place", "other places") : "") : "";
+    return [places, common && "all " + common].filter(Boolean).join("; ");
   }
   return first.cause.split(" + ").map((part) => {
     const [id, alternative] = part.split("=");

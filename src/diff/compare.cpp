@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -26,6 +27,7 @@
 #include "rules/choices.h"
 #include "rules/coverage/clip_volume.h"
 #include "rules/coverage/window.h"
+#include "rules/hypotheses.h"
 #include "rules/renderer_claims.h"
 
 namespace edgecase {
@@ -62,6 +64,25 @@ void read_upside_down(const Drawing& drawing, Result& result) {
     note_upside_down(result);
 }
 
+// True if a single alternative that the specification forbids draws every primitive as it was
+// drawn.
+bool has_one_cause(const Result& result) {
+  std::vector<Cause> common;
+  bool is_first = true;
+  for (const Result::Evidence& evidence : result.evidence) {
+    if (evidence.primitive == kAllValues) continue;
+    std::vector<Cause> singles;
+    std::ranges::copy_if(evidence.causes, std::back_inserter(singles), [&](const Cause& cause) {
+      return cause.size() == 1 && !is_open_choice(cause) &&
+             (is_first || std::ranges::find(common, cause) != common.end());
+    });
+    common = std::move(singles);
+    if (common.empty()) return false;
+    is_first = false;
+  }
+  return !is_first;
+}
+
 // True unless all that differs may be an open choice, which says nothing about a fault.
 bool asks_for_hypotheses(const Result& result) {
   const auto has_no_open_cause = [](const Result::Evidence& evidence) {
@@ -88,7 +109,10 @@ Result compare(const Scene& scene, const ResolvedPolicy& policy, const Rendering
   Result result = compare_whole(drawing, {});
   if (!has_differences(result)) find_differing_planes(exact, rendered, result);
   read_upside_down(drawing, result);
-  if (asks_for_hypotheses(result)) result.hypotheses = explaining_hypotheses(drawing);
+  if (asks_for_hypotheses(result)) {
+    result.hypotheses = explaining_hypotheses(drawing);
+    if (has_one_cause(result)) result.hypotheses.push_back({kHasOneCause, kHasOneCause});
+  }
   std::erase_if(result.values, [](const ValueAggregate& v) { return v.differing.empty(); });
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
   // A run keeps all its results until the last one is there.

@@ -216,7 +216,8 @@ class Explaining {
     for (int i = 0; i < vertices_of(primitive.kind); ++i) {
       HomogeneousPoint& position = primitive.positions[static_cast<std::size_t>(i)];
       Point at = nearest_point(position);
-      if (place == SampledPlace::shrunk) at = shrunk(at);
+      if (place == SampledPlace::shrunk) at = resized(at, 1, 1);
+      if (place == SampledPlace::limited) at = limited(at);
       at = snap(at);
       const auto half = Fixed::kOne / 2;
       position = homogeneous({Fixed::from_raw(at.x.raw() + move.dx * half),
@@ -225,14 +226,22 @@ class Explaining {
     return primitive;
   }
 
-  Point shrunk(Point at) const {
-    const auto scaled = [](Fixed value, int origin, int size) {
-      if (size < 2) return value;
+  // Where the point lies in a viewport of the same corner, smaller by so many pixels.
+  Point resized(Point at, int less_width, int less_height) const {
+    const auto scaled = [](Fixed value, int origin, int size, int less) {
+      if (size <= less) return value;
       const std::int64_t from = std::int64_t{origin} * Fixed::kOne;
-      return Fixed::from_raw(from + (value.raw() - from) * (size - 1) / size);
+      return Fixed::from_raw(from + (value.raw() - from) * (size - less) / size);
     };
     const Viewport& viewport = scene_.viewport;
-    return {scaled(at.x, viewport.x, viewport.width), scaled(at.y, viewport.y, viewport.height)};
+    return {scaled(at.x, viewport.x, viewport.width, less_width),
+            scaled(at.y, viewport.y, viewport.height, less_height)};
+  }
+
+  Point limited(Point at) const {
+    const Viewport& viewport = scene_.viewport;
+    return resized(at, std::max(0, viewport.x + viewport.width - scene_.target.width),
+                   std::max(0, viewport.y + viewport.height - scene_.target.height));
   }
 
   // Keeps what is true of one more primitive, which was drawn so.

@@ -20,6 +20,7 @@
 #include "diff/upside_down.h"
 #include "diff/verdicts.h"
 #include "rules/all_rules.h"
+#include "rules/choices.h"
 #include "rules/coverage/window.h"
 
 namespace edgecase {
@@ -31,7 +32,31 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 using Counts = std::map<AlternativeId, std::ptrdiff_t>;
 
-// Adds to RunReading::alternatives and refuted. A primitive of several passes counts once.
+// "line", "triangle": rules of one subject decide on the same primitives.
+std::string subject_of(RuleId rule) {
+  const std::string name = name_of(rule);
+  return name.substr(0, name.find('.'));
+}
+
+// Of a primitive that single alternatives explain, all others of their subject.
+void read_missed(const Result::Evidence& evidence, AlternativeSet& missed) {
+  std::set<AlternativeId> singles;
+  std::set<std::string> subjects;
+  for (const Cause& cause : evidence.causes) {
+    if (cause.size() != 1) continue;
+    singles.insert(cause.parts.front());
+    subjects.insert(subject_of(cause.rule()));
+  }
+  if (singles.empty()) return;
+  for (const RuleId rule : coverage_rules()) {
+    if (!subjects.contains(subject_of(rule))) continue;
+    for (std::size_t i = 0; i < rule_of(rule).alternatives.size(); ++i)
+      if (const AlternativeId id{rule, static_cast<std::uint8_t>(i)}; !singles.contains(id))
+        missed.add(id);
+  }
+}
+
+// Adds to RunReading::alternatives, refuted and missed. A primitive of several passes counts once.
 void read_alternatives(const Result& result, RunReading& reading) {
   Counts& counts = reading.alternatives;
   std::set<std::pair<int, AlternativeId>> helpful;
@@ -39,6 +64,7 @@ void read_alternatives(const Result& result, RunReading& reading) {
     for (const Cause& cause : evidence.causes)
       for (const AlternativeId part : cause.parts) helpful.emplace(evidence.primitive, part);
   for (const auto& [primitive, part] : helpful) ++counts[part];
+  for (const Result::Evidence& evidence : result.evidence) read_missed(evidence, reading.missed);
   result.refuted.for_each([&](AlternativeId id) {
     --counts[id];
     reading.refuted.add(id);
@@ -95,15 +121,29 @@ double most_support_of_a_fault(const Result::Evidence& evidence, const RunReadin
   return most;
 }
 
-// The candidate whose alternatives explain most of the run, on average; of several, the first. For
-// a legal drawing, an alternative that the specification leaves open comes before one that it does
-// not. If it is not among the smallest candidates, the renderer must follow it elsewhere; if the
-// run refutes it, no unrefuted fault may explain more. Illegal drawings, such as a hole in a shared
-// edge, are evidence for neither.
+bool is_snap_rule(RuleId rule) {
+  return std::ranges::any_of(values_of<PrimitiveKind>(),
+                             [&](PrimitiveKind kind) { return snap_rule_of(kind) == rule; });
+}
+
+// True if the cause has a grid of vertices of the reported precision.
+bool has_reported_precision(const Cause& cause, int subpixel_bits) {
+  return std::ranges::any_of(cause.parts, [&](AlternativeId part) {
+    if (!is_snap_rule(part.rule)) return false;
+    const Snap* const snap = find_snap(alternative_of(part)->name);
+    return snap != nullptr && snap->bits == subpixel_bits;
+  });
+}
+
+// The candidate whose alternatives explain most of the run, on average; of several, one of the
+// reported precision, then the first. For a legal drawing, an alternative that the specification
+// leaves open comes before one that it does not. If it is not among the smallest candidates, the
+// renderer must follow it elsewhere; if the run refutes it, no unrefuted fault may explain more.
+// Illegal drawings, such as a hole in a shared edge, are evidence for neither.
 Cause choose_cause(const Result::Evidence& evidence, bool legal, const RunReading& reading) {
   const Counts& counts = reading.alternatives;
   const Cause* best = nullptr;
-  std::pair most{false, -std::numeric_limits<double>::infinity()};
+  std::tuple most{false, -std::numeric_limits<double>::infinity(), false};
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const Cause& cause : evidence.causes) least = std::min(least, cause.size());
   const double fault = most_support_of_a_fault(evidence, reading);
@@ -111,7 +151,8 @@ Cause choose_cause(const Result::Evidence& evidence, bool legal, const RunReadin
     const double support = support_of(cause, counts);
     const bool likely = cause.size() == least || is_followed(cause, counts);
     const bool outdone = fault > 0 && support < fault && is_refuted(cause, reading);
-    const std::pair score{legal && likely && !outdone && is_open_choice(cause), support};
+    const std::tuple score{legal && likely && !outdone && is_open_choice(cause), support,
+                           has_reported_precision(cause, reading.subpixel_bits)};
     if (score <= most) continue;
     most = score;
     best = &cause;

@@ -36,6 +36,11 @@ struct RunReading {
   // the number of cases that refute it. A missing alternative counts 0.
   std::map<AlternativeId, std::ptrdiff_t> alternatives;
   AlternativeSet refuted;  // alternatives that some case refutes
+  // Alternatives by which some primitive was not drawn that another one of their subject explains.
+  AlternativeSet missed;
+  // GL_SUBPIXEL_BITS as the renderer reports them; 0: unknown. Of precisions that explain as much,
+  // this one is taken.
+  int subpixel_bits = 0;
 };
 
 // Reads all results of one renderer on one surface, which compare() has made, one after the other.

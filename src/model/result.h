@@ -92,11 +92,15 @@ inline Judgement judgement_of(const ResultOutline& answer) {
   return {answer.verdict, answer.fingerprint};
 }
 
+// In place of a primitive: evidence on all differing values of an answer together.
+inline constexpr int kAllValues = -2;
+
 // One renderer's answer to one case, compared.
 struct Result : ResultOutline {
   // Which alternatives reproduce a primitive as the renderer drew it, smallest sets first.
   struct Evidence {
-    int primitive = 0;  // -1: all of them, if the answer is upside down (diff/upside_down.h)
+    // -1: all of them, if the answer is upside down (diff/upside_down.h); or kAllValues
+    int primitive = 0;
     std::vector<Cause> causes;
     std::vector<std::string>
         illegal_line_snaps;     // lines: snaps under which a ruling on lines fails

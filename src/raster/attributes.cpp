@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "raster/texture_stage.h"
@@ -345,7 +346,8 @@ bool FragmentStage::passes_tests(const SampleFragment& fragment,
   const StencilFace& face = face_of(*operations.stencil, fragment.front_facing, choice_.stencil);
   std::uint8_t& stored = rendering_.stencils[sample];
   const auto update = [&](StencilOperation operation) {
-    stored = after(operation, face, stored, choice_.stencil);
+    if (is_first_of_draw(operations, sample))
+      stored = after(operation, face, stored, choice_.stencil);
   };
   if (!passes_stencil_test(face, stored, choice_.stencil)) {
     update(face.fail);
@@ -354,6 +356,14 @@ bool FragmentStage::passes_tests(const SampleFragment& fragment,
   const bool passes = passes_depth(fragment.depth, operations.depth, sample);
   update(passes ? face.pass : face.depth_fail);
   return passes;
+}
+
+// False only under once_a_draw.
+bool FragmentStage::is_first_of_draw(const FragmentOperations& operations,
+                                     std::size_t sample) const {
+  if (choice_.stencil != StencilMethod::once_a_draw) return true;
+  operated_.resize(rendering_.stencils.size());
+  return std::exchange(operated_[sample], &operations) != &operations;
 }
 
 bool FragmentStage::passes_depth(double depth, const DepthTest& test, std::size_t sample) const {

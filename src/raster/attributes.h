@@ -225,6 +225,7 @@ class FragmentStage {
  private:
   bool passes_tests(const SampleFragment& fragment, const FragmentOperations& operations,
                     std::size_t sample) const;
+  bool is_first_of_draw(const FragmentOperations& operations, std::size_t sample) const;
   bool passes_depth(double depth, const DepthTest& test, std::size_t sample) const;
   void write_color(const SampleFragment& fragment, const FragmentOperations& operations,
                    std::size_t sample) const;
@@ -235,6 +236,8 @@ class FragmentStage {
   // The latest colour that replaced a pixel, and its code. The next colour is usually the same.
   mutable std::array<double, 4> replacing_{};
   mutable Rgba8 replacement_{};
+  // By sample, under StencilMethod::once_a_draw: the draw that changed the stencil value last.
+  mutable std::vector<const FragmentOperations*> operated_;
 };
 
 }  // namespace edgecase

@@ -213,6 +213,11 @@ ClipPlanes planes_of(const Viewport& viewport, ClipMethod method) {
   return method == ClipMethod::doubled_sides ? doubled_sides_of(viewport) : sides_of(viewport);
 }
 
+Viewport box_of(const PixelBounds& bounds) {
+  return {bounds.x_min, bounds.y_min, bounds.x_max - bounds.x_min + 1,
+          bounds.y_max - bounds.y_min + 1};
+}
+
 // The pixels of the polygon, split into a fan round its first vertex.
 Pixels fan_pixels(const std::vector<ClipPolygonVertex>& polygon, const PixelBounds& bounds,
                   Point within, const CoverageChoice& choice) {
@@ -241,6 +246,8 @@ Pixels clipped_pixels(const ClippedTriangle& clipped, const PixelBounds& bounds,
     case ClipMethod::depth_ignored:
       return clipped_triangle_pixels(triangle, viewport, bounds, choice.ties, within,
                                      choice.clip == ClipMethod::homogeneous);
+    case ClipMethod::sides_ignored:
+      return clipped_triangle_pixels(triangle, box_of(bounds), bounds, choice.ties, within, true);
     case ClipMethod::polygon:
     case ClipMethod::guard_band:
     case ClipMethod::doubled_sides:

@@ -28,6 +28,9 @@ PixelCounts counts_of_agreement(int width, int height);
 
 // The inverses. All throw std::runtime_error, or what the library throws, for anything else.
 
+// The alternatives of a text of text_of_refuted().
+AlternativeSet to_refuted(const ReadJson& json);
+
 // The fields that a case shares with others; all others have their defaults.
 CaseResults to_head(const ReadJson& json);
 

@@ -44,11 +44,6 @@ Cause to_cause(const ReadJson& json) {
   throw std::runtime_error(fmt::format("\"{}\" names no alternative of the catalogue", text));
 }
 
-AlternativeSet to_refuted(const ReadJson& json) {
-  if (const auto refuted = parse_refuted(json.get<std::string>())) return *refuted;
-  throw std::runtime_error("what is refuted does not fit the catalogue");
-}
-
 // A whole number as a member's name.
 int to_integer(std::string_view text) {
   int value = 0;
@@ -296,6 +291,11 @@ Result to_result(const ReadJson& json, const CaseResults& one, Room& room) {
 }
 
 }  // namespace
+
+AlternativeSet to_refuted(const ReadJson& json) {
+  if (const auto refuted = parse_refuted(json.get<std::string>())) return *refuted;
+  throw std::runtime_error("what is refuted does not fit the catalogue");
+}
 
 CaseResults to_head(const ReadJson& json) {
   CaseResults head;

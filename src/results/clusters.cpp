@@ -2,124 +2,20 @@
 #include "results/clusters.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "model/threads.h"
+#include "results/cluster_entries.h"
 #include "rules/all_rules.h"
 #include "rules/hypotheses.h"
 
 namespace edgecase {
 namespace {
 
-// The common key of a cluster's members; rule and kind are empty if there is a cause.
-struct Key {
-  std::string cause;
-  std::string surface;
-  Legality legality = Legality::illegal;
-  std::string rule;
-  std::string kind;
-  std::string attribute;
-  friend auto operator<=>(const Key&, const Key&) = default;
-};
-
-// A case whose members are added.
-struct Place {
-  const CaseResults* one = nullptr;
-  CaseSize size;
-};
-
-// Some differences of one case that belong to one cluster: one disagreement, or the values of one
-// attribute.
-struct Member {
-  std::string rule;
-  std::string kind;
-  std::size_t count = 1;
-  int x = 0;  // where to look at the first of them
-  int y = 0;
-  int primitive = -1;
-  std::optional<std::string> situation{};  // null: only counted
-};
-
-}  // namespace
-
-class ClusterGatherer::Entries {
- public:
-  void add(const Key& key, const Place& place, const Member& member) {
-    Entry& entry = entries_[key];
-    Cluster& cluster = entry.cluster;
-    if (cluster.disagreements == 0) {
-      cluster.rule = member.rule;
-      cluster.kind = member.kind;
-    }
-    // A cluster with several rules or kinds names none.
-    if (cluster.rule != member.rule) cluster.rule.clear();
-    if (cluster.kind != member.kind) cluster.kind.clear();
-    cluster.disagreements += member.count;
-    if (entry.latest != place.one->id) ++cluster.cases;
-    entry.latest = place.one->id;
-    if (key.cause.empty() && key.attribute.empty()) entry.count(member);
-    if (entry.smallest && !(place.size < *entry.smallest)) return;
-    entry.smallest = place.size;
-    cluster.smallest_case = place.one->id;
-    cluster.smallest_file = place.one->file;
-    cluster.x = member.x;
-    cluster.y = member.y;
-    cluster.primitive = member.primitive;
-  }
-
-  std::vector<Cluster> take() {
-    std::vector<Cluster> clusters;
-    for (auto& [key, entry] : entries_) {
-      Cluster& cluster = entry.cluster;
-      cluster.surface = key.surface;
-      cluster.legality = key.legality;
-      cluster.cause = key.cause;
-      if (key.cause.empty()) cluster.situations = entry.take_situations();
-      cluster.attribute = key.attribute;
-      clusters.push_back(std::move(cluster));
-    }
-    return clusters;
-  }
-
- private:
-  struct Situation {
-    std::size_t disagreements = 0;
-    std::size_t cases = 0;
-    std::string latest{};  // id of the last case that has it
-  };
-
-  struct Entry {
-    Cluster cluster;
-    std::optional<std::string> latest;  // id of the last member's case
-    std::optional<CaseSize> smallest;
-    std::map<std::optional<std::string>, Situation> situations;
-
-    void count(const Member& member) {
-      if (member.situation == "") return;
-      Situation& situation = situations[member.situation];
-      situation.disagreements += member.count;
-      if (situation.cases == 0 || situation.latest != *latest) ++situation.cases;
-      situation.latest = *latest;
-    }
-
-    std::vector<ClusterSituation> take_situations() const {
-      std::vector<ClusterSituation> list;
-      for (const auto& [text, situation] : situations)
-        list.push_back({text.value_or("of a gross fault, only counted"), !text,
-                        situation.disagreements, situation.cases});
-      std::ranges::stable_sort(list, std::ranges::greater(), &ClusterSituation::disagreements);
-      return list;
-    }
-  };
-  std::map<Key, Entry> entries_;
-};
-
-namespace {
+using Place = ClusterPlace;
 
 // What the portrait says of an answer, or nothing: of what it covers, and of its colours.
 struct Explained {
@@ -134,62 +30,83 @@ Explained explained_by(const Portrait& p, const ResultOutline& answer) {
           Portrait{{}, p.colors}.cause_of(answer)};
 }
 
-std::string cause_of(const DisagreementClass& d, const Explained& explained) {
+ClusterEntryKey key_of(const DisagreementClass& d, const Explained& explained,
+                       const std::string& surface) {
   const std::string& told =
       d.kind == DisagreementKind::value ? explained.colors : explained.coverage;
   const bool is_open = is_legal(d) && is_open_choice(d.cause);
-  return told.empty() || is_open ? text_of(d.cause) : told;
+  const std::string as_if = text_of(d.cause);
+  return {{is_open ? as_if : told, surface, d.legality, name_of(d.rule), name_of(d.kind), ""},
+          is_open || !told.empty() ? "" : as_if};
 }
 
-std::string cause_of(const ValueAggregate& values, const Explained& explained) {
-  return values.cause.empty() && values.rule == RuleId::framebuffer_unorm8 ? explained.colors
-                                                                           : text_of(values.cause);
+ClusterEntryKey key_of(const ValueAggregate& values, const Explained& explained,
+                       const std::string& surface) {
+  const bool is_stored = values.cause.empty() && values.rule == RuleId::framebuffer_unorm8;
+  return {{is_stored ? explained.colors : text_of(values.cause), surface, Legality::legal,
+           name_of(values.rule), name_of(DisagreementKind::value), values.attribute},
+          ""};
 }
 
-Key key_of(const DisagreementClass& d, const Explained& explained, const std::string& surface) {
-  Key key;
-  key.cause = cause_of(d, explained);
-  key.surface = surface;
-  key.legality = d.legality;
-  if (key.cause.empty()) {
-    key.rule = name_of(d.rule);
-    key.kind = name_of(d.kind);
+bool is_of_lookups(RuleId rule) {
+  const std::string name = name_of(rule);
+  return name.starts_with("texture.") || name.starts_with("mipmap.");
+}
+
+// True if the evidence tells causes of the disagreement.
+bool is_about(const DisagreementClass& d, const Result::Evidence& evidence) {
+  if (d.kind == DisagreementKind::value)
+    return evidence.primitive == kAllValues && !evidence.causes.empty() &&
+           is_of_lookups(evidence.causes.front().rule()) == is_of_lookups(d.rule);
+  return d.primitive == evidence.primitive && (evidence.pass < 0 || d.sample == evidence.pass);
+}
+
+// The causes under which differences of an answer come out.
+class LikelyCauses {
+ public:
+  // Refers to the result.
+  explicit LikelyCauses(const Result& result) : result_(result) {}
+
+  const std::vector<Cause>& of(const DisagreementClass& d) {
+    if (latest_ && latest_->primitive == d.primitive && latest_->sample == d.sample &&
+        latest_->kind == d.kind && latest_->rule == d.rule && latest_->cause == d.cause)
+      return causes_;
+    latest_ = d;
+    causes_.clear();
+    if (!d.cause.empty()) causes_.push_back(d.cause);
+    for (const Result::Evidence& evidence : result_.evidence)
+      if (is_about(d, evidence))
+        causes_.insert(causes_.end(), evidence.causes.begin(), evidence.causes.end());
+    return causes_;
   }
-  return key;
-}
 
-template <class Entries>
+ private:
+  const Result& result_;
+  std::optional<DisagreementClass> latest_;
+  std::vector<Cause> causes_;
+};
+
 void gather_disagreements(const Place& place, const Result& result, const Explained& explained,
-                          Entries& gatherer) {
+                          ClusterEntries& gatherer) {
+  LikelyCauses likely(result);
   for (const Disagreement& d : result.disagreements)
     gatherer.add(key_of(d, explained, place.one->surface), place,
-                 {name_of(d.rule), name_of(d.kind), 1, d.x, d.y, d.primitive, d.situation});
+                 {1, d.x, d.y, d.primitive, d.situation, likely.of(d)});
   for (const CountedDisagreements& d : result.counted) {
     if (d.runs.empty()) continue;
     const PixelRun& first = d.runs.front();
-    gatherer.add(
-        key_of(d, explained, place.one->surface), place,
-        {name_of(d.rule), name_of(d.kind), d.count(), first.begin, first.y, d.primitive, {}});
+    gatherer.add(key_of(d, explained, place.one->surface), place,
+                 {d.count(), first.begin, first.y, d.primitive, {}, likely.of(d)});
   }
 }
 
-template <class Entries>
 void gather_values(const Place& place, const Result& result, const Explained& explained,
-                   Entries& gatherer) {
-  const char* const kind = name_of(DisagreementKind::value);
+                   ClusterEntries& gatherer) {
   for (const ValueAggregate& values : result.values) {
     if (values.differing.empty()) continue;
-    Key key{cause_of(values, explained),
-            place.one->surface,
-            Legality::legal,
-            name_of(values.rule),
-            kind,
-            values.attribute};
-    if (!key.cause.empty()) key.rule = key.kind = key.attribute = "";
     const ValueAggregate::Place& worst = values.worst;
-    gatherer.add(
-        key, place,
-        {name_of(values.rule), kind, values.differing.size(), worst.x, worst.y, worst.primitive});
+    gatherer.add(key_of(values, explained, place.one->surface), place,
+                 {values.differing.size(), worst.x, worst.y, worst.primitive, "", {}});
   }
 }
 
@@ -205,30 +122,48 @@ bool comes_before(const Cluster& a, const Cluster& b) {
 
 }  // namespace
 
-ClusterGatherer::ClusterGatherer(Portrait portrait)
-    : portrait_(std::move(portrait)), entries_(new Entries) {}
+ClusterGatherer::ClusterGatherer(Portrait portrait, std::map<std::string, AlternativeSet> refuted)
+    : portrait_(std::move(portrait)), entries_(new ClusterEntries(std::move(refuted))) {}
+
+ClusterGatherer::ClusterGatherer(const Results& results, std::size_t renderer)
+    : ClusterGatherer(portrait_of(results, renderer)) {
+  const auto found = results.refuted.find(results.renderers[renderer].name);
+  if (found != results.refuted.end()) entries_ = std::make_unique<ClusterEntries>(found->second);
+}
 
 ClusterGatherer::~ClusterGatherer() = default;
 ClusterGatherer::ClusterGatherer(ClusterGatherer&&) noexcept = default;
 
 void ClusterGatherer::add(const CaseResults& one, const Result& result) {
+  entries_->start(one, result);
   const Place place{&one, CaseSize(one)};
   const Explained explained = explained_by(portrait_, result);
   gather_disagreements(place, result, explained, *entries_);
   gather_values(place, result, explained, *entries_);
 }
 
-std::vector<Cluster> ClusterGatherer::take() {
-  std::vector<Cluster> clusters = entries_->take();
+namespace {
+
+std::vector<Cluster> sorted(std::vector<Cluster> clusters) {
   std::ranges::sort(clusters, comes_before);
   return clusters;
 }
 
+}  // namespace
+
+std::vector<Cluster> ClusterGatherer::take() {
+  return sorted(entries_->take(false));
+}
+
+std::vector<Cluster> ClusterGatherer::take_apart() {
+  return sorted(entries_->take(true));
+}
+
 std::vector<Cluster> clusters_of(const Results& results, std::size_t renderer) {
-  ClusterGatherer gatherer(portrait_of(results, renderer));
+  ClusterGatherer gatherer(results, renderer);
   for (std::size_t i = 0; i < results.cases.size(); ++i) {
     const std::vector<ResultOutline>& answers = results.cases.outline(i).answers;
-    if (renderer >= answers.size() || answers[renderer].verdict == Verdict::agree) continue;
+    if (renderer >= answers.size() || !has_details(results.cases.outline(i))) continue;
     const CaseResults one = results.cases[i];
     gatherer.add(one, one.results[renderer]);
   }
@@ -237,8 +172,7 @@ std::vector<Cluster> clusters_of(const Results& results, std::size_t renderer) {
 
 std::vector<std::vector<Cluster>> clusters_of(const Results& results) {
   std::vector<ClusterGatherer> gatherers;
-  for (std::size_t r = 0; r < results.renderers.size(); ++r)
-    gatherers.emplace_back(portrait_of(results, r));
+  for (std::size_t r = 0; r < results.renderers.size(); ++r) gatherers.emplace_back(results, r);
   const auto case_of = [&](std::size_t i) {
     std::optional<CaseResults> one;
     if (has_details(results.cases.outline(i))) one = results.cases[i];
@@ -262,36 +196,21 @@ CaseSize::CaseSize(const CaseResults& one)
       length(one.id.size()),
       id(one.id) {}
 
-std::optional<Cluster> leading_cluster(const CaseResults& one, const Result& result,
-                                       const Portrait& portrait) {
+std::optional<ClusterKey> leading_key(const CaseResults& one, const Result& result,
+                                      const Portrait& portrait) {
   const Explained explained = explained_by(portrait, result);
-  Cluster cluster;
-  cluster.surface = one.surface;
-  const auto told = [&](const std::string& cause, Legality legality, const auto& of) {
-    cluster.cause = cause;
-    cluster.legality = legality;
-    cluster.rule = name_of(of.rule);
-    return cluster;
-  };
-  cluster.kind = name_of(DisagreementKind::value);
   const auto worst = std::ranges::max_element(result.disagreements, {}, &Disagreement::legality);
-  if (worst != result.disagreements.end()) {
-    cluster.kind = name_of(worst->kind);
-    return told(cause_of(*worst, explained), worst->legality, *worst);
-  }
-  for (const ValueAggregate& values : result.values) {
-    if (values.differing.empty()) continue;
-    const std::string cause = cause_of(values, explained);
-    if (cause.empty()) cluster.attribute = values.attribute;
-    return told(cause, Legality::legal, values);
-  }
+  if (worst != result.disagreements.end()) return key_of(*worst, explained, one.surface).of;
+  for (const ValueAggregate& values : result.values)
+    if (!values.differing.empty()) return key_of(values, explained, one.surface).of;
   return std::nullopt;
 }
 
-bool is_same_cluster(const Cluster& a, const Cluster& b) {
-  const auto key = [](const Cluster& c) { return std::tie(c.cause, c.surface, c.legality); };
-  const auto rest = [](const Cluster& c) { return std::tie(c.rule, c.kind, c.attribute); };
-  return key(a) == key(b) && (!a.cause.empty() || rest(a) == rest(b));
+const Cluster* cluster_of(std::span<const Cluster> clusters, const ClusterKey& key) {
+  const auto found = std::ranges::find_if(clusters, [&](const Cluster& cluster) {
+    return std::ranges::find(cluster.keys, key) != cluster.keys.end();
+  });
+  return found == clusters.end() ? nullptr : &*found;
 }
 
 std::string title_of(const Cluster& cluster) {

@@ -86,6 +86,8 @@ struct Results {
   // By renderer, then in the order of its driver's file. If results are not whole, only faults that
   // occurred, and none is grown, shrunk or fixed.
   std::vector<FaultSeen> faults;
+  // Renderer, then surface: the alternatives that some of its answers refute.
+  std::map<std::string, std::map<std::string, AlternativeSet>> refuted;
 };
 
 // True if the results hold every case of the suite.

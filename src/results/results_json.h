@@ -68,7 +68,8 @@
 //
 //   {"end": true, "cases": number of them, "interrupted", "left_out", "diagnostics": [...],
 //    "faults": [{"renderer", "id", "reason", "link", "cases", "state", "before"}], "summary",
-//    "portraits": {RENDERER: [sentence, ...]}, "clusters": {RENDERER: [...]}}
+//    "portraits": {RENDERER: [sentence, ...]}, "refuted": {RENDERER: {SURFACE: bits}}, "clusters":
+//    {RENDERER: [...]}}
 //
 // "left_out", absent if it is 0, is the number of cases that are missing because the run ended
 // early. "faults" are the known faults as they occur in the run (FaultSeen); "before" is absent if

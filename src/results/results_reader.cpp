@@ -101,6 +101,10 @@ void read_end(const ReadJson& json, Results& results) {
   if (json.contains("left_out")) results.left_out = WholeNumber(json.at("left_out"));
   results.diagnostics = to_list<Diagnostic>(json.at("diagnostics"), to_diagnostic);
   results.faults = to_list<FaultSeen>(json.at("faults"), to_fault);
+  if (!json.contains("refuted")) return;
+  for (const auto& [renderer, surfaces] : json.at("refuted").items())
+    for (const auto& [surface, text] : surfaces.items())
+      results.refuted[std::string(renderer)][std::string(surface)] = to_refuted(text);
 }
 
 // Lines that are about cases, to be parsed by a thread of their own.

@@ -13,6 +13,7 @@
 #include "results/clusters.h"
 #include "results/packed_text.h"
 #include "results/results_json.h"
+#include "rules/choices.h"
 
 namespace edgecase {
 namespace {
@@ -86,6 +87,7 @@ Json cluster_json(const Cluster& cluster) {
   object["disagreements"] = cluster.disagreements;
   object["cases"] = cluster.cases;
   if (!cluster.situations.empty()) object["situations"] = cluster.situations;
+  add("common", cluster.common);
   object["smallest"] = {{"case", cluster.smallest_case},
                         {"pixel", {cluster.x, cluster.y}},
                         {"primitive", cluster.primitive}};
@@ -219,6 +221,10 @@ Json end_json(const Results& results, Gatherers& gatherers) {
   json["summary"] = summary_json(results);
   for (std::size_t r = 0; r < results.renderers.size(); ++r)
     json["portraits"][results.renderers[r].name] = sentences_of(portrait_of(results, r));
+  for (const auto& [renderer, surfaces] : results.refuted)
+    for (const auto& [surface, refuted] : surfaces)
+      if (const std::string text = text_of_refuted(refuted); !text.empty())
+        json["refuted"][renderer][surface] = text;
   json["clusters"] = clusters_json(results.renderers, gatherers);
   return json;
 }
@@ -243,8 +249,7 @@ namespace {
 void write_lines(const Results& results, const Take& take) {
   take(header_line(results));
   Gatherers gatherers;
-  for (std::size_t r = 0; r < results.renderers.size(); ++r)
-    gatherers.emplace_back(portrait_of(results, r));
+  for (std::size_t r = 0; r < results.renderers.size(); ++r) gatherers.emplace_back(results, r);
   write_cases(results, take, gatherers);
   take(dump(end_json(results, gatherers)) + '\n');
 }

@@ -42,6 +42,7 @@ constexpr std::array kMoves = {
     Move{SampledPlace::one_right_below, 2, -2,
          "draws everything a pixel too far right and too low"},
     Move{SampledPlace::shrunk, 0, 0, "maps the viewport to one pixel less in width and height"},
+    Move{SampledPlace::limited, 0, 0, "limits the viewport to the target"},
 };
 static_assert(kMoves.size() == kPlaces);
 

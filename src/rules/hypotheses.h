@@ -30,7 +30,8 @@ enum class SampledPlace {
   one_right_above,
   one_left_above,
   one_right_below,
-  shrunk,  // the viewport is mapped to one pixel less in width and height
+  shrunk,   // the viewport is mapped to one pixel less in width and height
+  limited,  // the viewport is mapped to its part in the target
 };
 
 // How vertices are rounded before anything is decided.
@@ -64,7 +65,7 @@ enum class LeftOut {
 
 // How an answer covers what it covers.
 struct CoverageHypothesis {
-  static constexpr int kPlaces = static_cast<int>(SampledPlace::shrunk) + 1;
+  static constexpr int kPlaces = static_cast<int>(SampledPlace::limited) + 1;
   static constexpr int kGrids = static_cast<int>(VertexGrid::eighths_rounded) + 1;
   static constexpr int kLeftOuts = static_cast<int>(LeftOut::failing) + 1;
   static constexpr int kTies = 11;  // the policy's, then all_tie_rules()
@@ -116,8 +117,10 @@ bool is_about_ties_alone(std::uint16_t number);
 bool is_fault(std::uint16_t number);
 
 // Marks among the numbers of an answer (ResultOutline::hypotheses): it covers something else than
-// it should; it covers what it should, and its colours are others.
+// it should; it covers what it should, and its colours are others; one alternative of the catalogue,
+// which the specification forbids, explains all that it covers.
 constexpr std::uint16_t kAskedOfCoverage = 65000;
 constexpr std::uint16_t kAskedOfColors = 65001;
+constexpr std::uint16_t kHasOneCause = 65002;
 
 }  // namespace edgecase

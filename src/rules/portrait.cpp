@@ -14,7 +14,8 @@ namespace {
 
 using Counts = std::map<std::uint16_t, std::size_t>;
 
-constexpr std::size_t kFewest = 5;  // answers: fewer fit by chance
+constexpr std::size_t kFewest = 5;     // answers: fewer fit by chance
+constexpr std::size_t kFewestAll = 3;  // where one part explains all of them
 
 std::size_t count_of(const Counts& counts, std::uint16_t number) {
   const auto found = counts.find(number);
@@ -27,7 +28,7 @@ int parts_of(std::uint16_t number) {
 
 // Drivers differ rarely, and then what explains a few differences does so by chance.
 bool is_enough(std::size_t explained, std::size_t asked, std::size_t ran) {
-  if (explained < kFewest) return false;
+  if (explained < kFewest) return explained >= kFewestAll && explained == asked;
   return 10 * explained >= 9 * asked || (4 * asked >= ran && 3 * explained >= asked);
 }
 
@@ -43,6 +44,8 @@ std::optional<Portrait::Finding> best_of(const Counts& counts, std::uint16_t mar
   for (const auto& [number, count] : counts)
     if (is_candidate(number)) most = std::max(most, count);
   if (!is_enough(most, asked, ran)) return std::nullopt;
+  const std::size_t by_one = mark == kAskedOfCoverage ? count_of(counts, kHasOneCause) : 0;
+  if (10 * by_one >= 9 * asked && by_one > most) return std::nullopt;
   std::optional<Portrait::Finding> best;
   const auto rank = [](const Portrait::Finding& finding) {
     return std::tuple(parts_of(finding.hypothesis), -static_cast<std::ptrdiff_t>(finding.answers),
@@ -53,6 +56,7 @@ std::optional<Portrait::Finding> best_of(const Counts& counts, std::uint16_t mar
     const Portrait::Finding finding{number, count, asked};
     if (!best || rank(finding) < rank(*best)) best = finding;
   }
+  if (best && most < kFewest && parts_of(best->hypothesis) > 1) return std::nullopt;
   return best;
 }
 

@@ -39,8 +39,10 @@ class PortraitGatherer {
   // known fault as well does so by chance.
   void add(const ResultOutline& answer);
   // Findings that explain at least five answers: nine in ten of those that were asked or, where a
-  // quarter of all that ran were asked, a third of them. Of those that explain nearly as much as
-  // the best, the one of the fewest parts. What the specification leaves open is no finding.
+  // quarter of all that ran were asked, a third of them; or, of one part, three or four answers
+  // that are all. Of those that explain nearly as much as the best, the one of the fewest parts.
+  // What the specification leaves open is no finding, and no hypothesis is needed where single
+  // alternatives of the catalogue explain more.
   Portrait portrait() const;
 
  private:

@@ -14,13 +14,33 @@ namespace {
 
 constexpr const char* kReading = "lines read with snap, ";
 
+// A choice that the specification leaves open is refuted where it hinders more than it helps, since
+// it may be hidden beside another choice, or where another alternative explains what it does not. A
+// fault is refuted by one answer.
+AlternativeSet refuted_in(const RunReading& reading) {
+  AlternativeSet refuted;
+  reading.missed.for_each([&](AlternativeId id) {
+    if (is_open_choice(Cause(id))) refuted.add(id);
+  });
+  reading.refuted.for_each([&](AlternativeId id) {
+    const auto count = reading.alternatives.find(id);
+    const bool helps = count != reading.alternatives.end() && count->second > 0;
+    if (!is_open_choice(Cause(id)) || !helps) refuted.add(id);
+  });
+  return refuted;
+}
+
 // Judges the cases of whose outlines `is_wanted` is true, and sets the traits.
 template <class Wanted>
-void judge_those(Results& results, const RunReadings& readings, const Wanted& is_wanted) {
+void judge_those(Results& results, RunReadings readings, const Wanted& is_wanted) {
   for (RendererInfo& info : results.renderers)
     std::erase_if(info.traits, [](const auto& trait) { return is_of_judging(trait.first); });
   for (const auto& [key, reading] : readings)
     results.renderers[key.first].traits[kReading + key.second] = reading.line_snap;
+  for (auto& [key, reading] : readings)
+    reading.subpixel_bits = results.renderers[key.first].subpixel_bits;
+  for (const auto& [key, reading] : readings)
+    results.refuted[results.renderers[key.first].name][key.second] = refuted_in(reading);
   for_each_index(results.cases.size(), [&](std::size_t i) {
     if (!is_wanted(results.cases.outline(i))) return;
     CaseResults one = results.cases[i];

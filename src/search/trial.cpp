@@ -75,7 +75,7 @@ std::vector<Signature> signatures_of(const Result& result, Surface surface) {
   ClusterGatherer gatherer;
   gatherer.add(one, result);
   std::vector<Signature> signatures;
-  for (const Cluster& cluster : gatherer.take()) {
+  for (const Cluster& cluster : gatherer.take_apart()) {
     if (cluster.cause.empty())
       add_unexplained(cluster, signatures);
     else if (cluster.legality == Legality::legal)

@@ -99,7 +99,15 @@ const std::vector<Choices> kPlanted{{{"blend.equation", "as-set"},
                                      {"depth.test", "ignored"},
                                      {"stencil.test", "stored-first"},
                                      {"offset.unit", "two-steps"}},
-                                    {{"stencil.test", "wrapping"}, {"offset.unit", "ignored"}},
+                                    {{"blend.equation", "factors-in-min-and-max"},
+                                     {"stencil.test", "wrapping"},
+                                     {"offset.slope", "sum-of-partials"},
+                                     {"offset.unit", "ignored"},
+                                     {"offset.exponent", "halved"}},
+                                    {{"blend.equation", "source-alpha-in-min-and-max"},
+                                     {"stencil.test", "write-mask-ignored"},
+                                     {"offset.unit", "half-step"}},
+                                    {{"stencil.test", "once-a-draw"}},
                                     {{"stencil.test", "saturating"}}};
 
 TEST(OutputMeasurement, FindsEveryAlternative) {

@@ -93,6 +93,7 @@ const std::vector<PlantedRound> kRounds{
       {"mipmap.rounding", "half-up-by-rows"}},
      {}},
     {{{"texture.lod-bias", "half-a-level-more"},
+      {"texture.level-weight", "whole"},
       {"mipmap.filter", "bilinear-centre"},
       {"mipmap.rounding", "half-up"},
       {"mipmap.srgb", "codes"}},

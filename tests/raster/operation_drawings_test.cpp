@@ -296,6 +296,20 @@ TEST(OperationDrawings, ADepthMaskKeepsDepths) {
   EXPECT_EQ(depths(drawn(scene, ignored)), "224/224/228/");
 }
 
+TEST(OperationDrawings, EachFragmentOfADrawCountsInTheStencilBuffer) {
+  Scene scene = operation_scene(3);
+  Draw twice = rectangle(kLeft, 0.5, kRed);
+  const std::vector<Vertex> again = twice.vertices;
+  twice.vertices.insert(twice.vertices.end(), again.begin(), again.end());
+  twice.operations.stencil.emplace();
+  twice.operations.stencil->front.pass = StencilOperation::incr;
+  twice.operations.stencil->back.pass = StencilOperation::incr;
+  scene.draws = {twice, twice};
+  EXPECT_EQ(stencils(drawn(scene)), "660/660/660/");
+  const Choices once = {{"stencil.test", name_of(StencilMethod::once_a_draw)}};
+  EXPECT_EQ(stencils(drawn(scene, once)), "220/220/220/");
+}
+
 TEST(OperationDrawings, AHiddenFragmentStillWritesDepthAndStencilAndIsCounted) {
   Scene scene = operation_scene(3);
   Draw draw = with_stencil(rectangle(kLeft, 0.25, kWhite), marking(1));

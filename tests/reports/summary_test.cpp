@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "reports/explain_command.h"
 #include "tests/reports/sample.h"
@@ -224,6 +225,11 @@ TEST(Summary, TellsAnAnswerByWhatIsNotLegalInIt) {
               HasSubstr("line.diamond-exit missing, fbo\n    a: pixel (5, 0): "));
 }
 
+RuleId some_rule(int number) {
+  constexpr auto rules = values_of<RuleId>();
+  return rules[rules.size() - 1 - static_cast<std::size_t>(number)];
+}
+
 TEST(Summary, ListsTenCausesAndTheSimplestCaseOfEach) {
   Results results;
   results.renderers.resize(1);
@@ -231,6 +237,7 @@ TEST(Summary, ListsTenCausesAndTheSimplestCaseOfEach) {
     CaseResults one = wrong_case("case-" + std::to_string(i), 0, false);
     one.results[0].disagreements[0].cause = cause_named(
         "line.snap=" + std::to_string(4 + i % 12 % 6) + (i % 12 < 6 ? "-truncate" : "-half-up"));
+    one.results[0].disagreements[0].rule = some_rule(i % 12);
     one.width = 100 - i;
     results.cases.push_back(one);
   }
@@ -241,7 +248,7 @@ TEST(Summary, ListsTenCausesAndTheSimplestCaseOfEach) {
   EXPECT_THAT(text, Not(HasSubstr("case-11: ")));  // the only one of its cause, which comes last
 }
 
-// `count` unexplained clusters, each in a case of its own, and as many causes.
+// An unexplained cluster with a row of each case, and as many causes, each of a rule of its own.
 Results clustered(int count) {
   Results results;
   results.renderers.resize(1);
@@ -255,7 +262,9 @@ Results clustered(int count) {
     one.results.resize(1);
     Disagreement d = sample::disagreement(i, 1, DisagreementKind::extra, false);
     d.cause = cause_named("line.snap=" + std::to_string(i + 4) + "-truncate");
+    const RuleId own = std::exchange(d.rule, some_rule(i));
     one.results[0].disagreements.assign(2, d);
+    d.rule = own;
     d.cause = {};
     d.situation = "line, place " + std::to_string(i);
     one.results[0].disagreements.push_back(d);
@@ -301,6 +310,7 @@ TEST(Summary, ShowsFiveClustersOfEachLegality) {
     edit_each(results.cases, [](CaseResults& one) {
       Disagreement& d = one.results[0].disagreements[2];
       d.legality = Legality::contested;
+      d.rule = some_rule(d.x);
       d.cause = cause_named("line.snap=" + std::to_string(d.x + 4) + "-half-up");
     });
     return summary_of(results, false);

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "results/results_json.h"
+#include "rules/all_rules.h"
 #include "tests/results/sample_results.h"
 #include "tests/support/causes.h"
 #include "tests/support/edit.h"
@@ -114,6 +115,120 @@ TEST(Clusters, ExplainedOnesAreTakenTogetherByCauseAlone) {
   EXPECT_EQ(clusters[1].legality, Legality::legal);
 }
 
+constexpr const char* kClosed = "triangle.fill-rule=closed";
+constexpr const char* kOpen = "triangle.fill-rule=open";
+
+Disagreement extra(const std::string& cause) {
+  return disagreement(kFill, DisagreementKind::extra, false, cause, "triangle, here");
+}
+
+// So many cases for each cause.
+Results results_by(const std::vector<std::pair<std::string, int>>& causes) {
+  std::vector<CaseResults> cases;
+  for (const auto& [cause, count] : causes)
+    for (int i = 0; i < count; ++i)
+      cases.push_back(case_of("case" + std::to_string(100 + cases.size()), 1, 4, {extra(cause)}));
+  return results_of(cases);
+}
+
+TEST(Clusters, OfARuleAndKindHaveTheCauseOfNineInTen) {
+  const auto of_most = clusters_of(results_by({{kClosed, 9}, {kOpen, 1}}), 0);
+  EXPECT_EQ(titles(of_most), Titles{"triangle.fill-rule=closed, fbo"});
+  EXPECT_EQ(of_most[0].cases, 10U);
+  EXPECT_TRUE(of_most[0].situations.empty());
+  const auto of_fewer = clusters_of(results_by({{kClosed, 8}, {kOpen, 1}}), 0);
+  EXPECT_EQ(titles(of_fewer), Titles{"triangle.fill-rule extra, fbo"});
+  EXPECT_EQ(of_fewer[0].situations,
+            (std::vector<ClusterSituation>{{"as if triangle.fill-rule=closed", false, 8, 8},
+                                           {"as if triangle.fill-rule=open", false, 1, 1}}));
+}
+
+TEST(Clusters, HaveNoCauseThatAnAnswerRefutes) {
+  Results results = results_by({{kClosed, 10}});
+  results.refuted["fake"]["window"].add(alternative_id(rule_named(kFill), "closed"));
+  EXPECT_EQ(titles(clusters_of(results, 0)), Titles{"triangle.fill-rule=closed, fbo"});
+  results.refuted["fake"]["fbo"].add(alternative_id(rule_named(kFill), "closed"));
+  EXPECT_EQ(titles(clusters_of(results, 0)), Titles{"triangle.fill-rule extra, fbo"});
+}
+
+TEST(Clusters, HaveNoPairAsACauseFromOneCase) {
+  const std::string pair = "triangle.snap=8-half-up + triangle.fill-rule=closed";
+  EXPECT_EQ(titles(clusters_of(results_by({{pair, 1}}), 0)),
+            Titles{"triangle.fill-rule extra, fbo"});
+  EXPECT_EQ(titles(clusters_of(results_by({{pair, 2}}), 0)),
+            Titles{"triangle.snap=8-half-up + triangle.fill-rule=closed, fbo"});
+}
+
+// A cause that fits as well elsewhere explains those cases, too.
+TEST(Clusters, CountEveryCauseThatExplainsACase) {
+  Results results = results_by({{kClosed, 3}, {kOpen, 2}});
+  for (std::size_t i = 3; i < 5; ++i)
+    edit(results.cases, i)->results[0].evidence = {
+        {3, {cause_named(kOpen), cause_named(kClosed)}, {}, ""}};
+  EXPECT_EQ(titles(clusters_of(results, 0)), Titles{"triangle.fill-rule=closed, fbo"});
+  // The same of values, where evidence is about all of an answer.
+  const auto of_values = [](const std::vector<std::string>& causes) {
+    Result result;
+    result.disagreements = {
+        disagreement("stencil.test", DisagreementKind::value, false, causes.front(), "")};
+    result.disagreements[0].primitive = -1;
+    result.evidence.push_back({kAllValues, {}, {}, ""});
+    for (const std::string& cause : causes) result.evidence[0].causes.push_back(cause_named(cause));
+    CaseResults one = case_of("one", 1, 4, {});
+    one.results = {result};
+    return one;
+  };
+  std::vector<CaseResults> cases = {of_values({"stencil.test=ignored", "stencil.test=unmasked"}),
+                                    of_values({"stencil.test=unmasked"})};
+  cases[1].id = "other";
+  EXPECT_EQ(titles(clusters_of(results_of(cases), 0)), Titles{"stencil.test=unmasked, fbo"});
+}
+
+TEST(Clusters, WithoutACauseTellWhatTheyHaveInCommon) {
+  std::vector<CaseResults> cases;
+  for (int i = 0; i < 5; ++i) {
+    Disagreement d = unexplained(false, i == 0 ? "line, y-major right and up, beside the line"
+                                               : "line, y-major left and down, beside the line");
+    cases.push_back(case_of("case" + std::to_string(i), 1, 8, {d}));
+  }
+  const auto clusters = clusters_of(results_of(cases), 0);
+  EXPECT_EQ(clusters[0].common,
+            "beside the line, in the highest row, in the leftmost column, in the upper left "
+            "quarter, y-major");
+  cases.pop_back();
+  EXPECT_EQ(clusters_of(results_of(cases), 0)[0].common, "") << "four may have much in common";
+}
+
+// An open choice that other answers refute explains a few by chance; one of most is a heading.
+TEST(Clusters, OfAllowedDifferencesTellChoicesThatTheRendererMakes) {
+  const auto allowed = [](const char* cause) {
+    return disagreement(kLines, DisagreementKind::missing, true, cause, "");
+  };
+  Results results = results_of({case_of("a", 1, 4, {allowed("line.algorithm=bresenham")}),
+                                case_of("b", 1, 4, {allowed("line.algorithm=midpoint")}),
+                                case_of("c", 1, 4, {allowed("line.algorithm=midpoint")})});
+  const Titles both = {"line.algorithm=midpoint, fbo", "line.algorithm=bresenham, fbo"};
+  EXPECT_EQ(titles(clusters_of(results, 0)), both);
+  for (const char* name : {"bresenham", "midpoint"})
+    results.refuted["fake"]["fbo"].add(alternative_id(rule_named("line.algorithm"), name));
+  const auto clusters = clusters_of(results, 0);
+  EXPECT_EQ(titles(clusters),
+            (Titles{"line.algorithm=midpoint, fbo", "line.diamond-exit missing, fbo"}));
+  EXPECT_EQ(clusters[1].situations,
+            (std::vector<ClusterSituation>{{"as if line.algorithm=bresenham", false, 1, 1}}));
+}
+
+TEST(Clusters, OfAnAnswerAreFoundByItsKey) {
+  const Results results = results_by({{kClosed, 1}, {kOpen, 1}});
+  const auto clusters = clusters_of(results, 0);
+  for (const CaseResults& one : results.cases) {
+    const auto key = leading_key(one, one.results[0]);
+    ASSERT_TRUE(key);
+    EXPECT_EQ(cluster_of(clusters, *key), &clusters[0]);
+  }
+  EXPECT_EQ(cluster_of(clusters, ClusterKey{}), nullptr);
+}
+
 TEST(Clusters, SurfacesAreNotMixed) {
   auto cases = {case_of("a", 1, 4, {unexplained(true, "s")}),
                 case_of("b", 1, 4, {unexplained(true, "s"), unexplained(true, "s")})};
@@ -151,15 +266,16 @@ TEST(Clusters, TheIllegalComeFirstThenTheContestedThenTheRest) {
 }
 
 TEST(Clusters, OfAsManyCasesTheLargestComesFirst) {
-  const auto explained = [](const char* cause) {
-    return disagreement(kFill, DisagreementKind::extra, false, cause, "");
+  const auto explained = [](const char* cause, const char* rule = kFill) {
+    return disagreement(rule, DisagreementKind::extra, false, cause, "");
   };
   Results results = results_of({case_of(
       "a", 1, 4,
       {explained("line.snap=5-half-even"), explained("line.snap=5-half-even"),
-       explained("line.snap=5-half-even"), explained("line.snap=4-half-even"),
+       explained("line.snap=5-half-even"), explained("line.snap=4-half-even", "point.ownership"),
        unexplained(true, "legal"), unexplained(true, "legal"), unexplained(true, "legal"),
-       explained("line.snap=8-half-up"), unexplained(false, "z"), unexplained(false, "a")})});
+       explained("line.snap=8-half-up", "line.joint"), unexplained(false, "z"),
+       unexplained(false, "a")})});
   ValueAggregate values;
   values.attribute = "color";
   values.rule = rule_named("attribute.smooth");

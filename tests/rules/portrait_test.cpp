@@ -47,11 +47,35 @@ TEST(Portrait, PrefersFewerPartsWhereTheyExplainNearlyAsMuch) {
 
 TEST(Portrait, HasNoFindingOfAFewAnswersOrOfAnOpenChoice) {
   PortraitGatherer few;
-  add(4, {kCorner, kAskedOfCoverage}, few);
+  add(4, {kCornerOfWhole, kAskedOfCoverage}, few);
   EXPECT_FALSE(few.portrait().coverage);
   PortraitGatherer open;
   add(9, {kOwnGrid, kAskedOfCoverage}, open);
   EXPECT_FALSE(open.portrait().coverage);
+}
+
+TEST(Portrait, OfOnePartTakesThreeAnswersIfTheyAreAll) {
+  const auto finds = [](int explained, int others) {
+    PortraitGatherer gatherer;
+    add(explained, {kCorner, kAskedOfCoverage}, gatherer);
+    add(others, {kAskedOfCoverage}, gatherer);
+    return gatherer.portrait().coverage.has_value();
+  };
+  EXPECT_TRUE(finds(3, 0));
+  EXPECT_FALSE(finds(4, 1));
+  EXPECT_FALSE(finds(2, 0));
+}
+
+TEST(Portrait, LeavesToTheCatalogueWhatItExplainsBetter) {
+  const auto finds = [](int by_one) {
+    PortraitGatherer gatherer;
+    add(10, {kCorner, kAskedOfCoverage, kHasOneCause}, gatherer);
+    add(by_one, {kAskedOfCoverage, kHasOneCause}, gatherer);
+    add(1, {kAskedOfCoverage}, gatherer);
+    return gatherer.portrait().coverage.has_value();
+  };
+  EXPECT_TRUE(finds(0));
+  EXPECT_FALSE(finds(9));
 }
 
 // What explains half of the differences of a driver that rarely differs does so by chance; of one

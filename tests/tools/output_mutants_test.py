@@ -128,7 +128,8 @@ class OutputMutants(CommandTest):
                               causes=reversed_facing)
 
     def test_the_slope_of_a_polygon_offset(self):
-        self.assert_convicted("sum-of-partials", 15, "offset.slope", causes={""})
+        self.assert_convicted("sum-of-partials", 15, "offset.slope",
+                              causes={"offset.slope=sum-of-partials"})
 
 
 if __name__ == "__main__":

@@ -33,6 +33,22 @@ class WholeRenderers(CommandTest):
         self.assertEqual(len(lines), 1, lines)
         self.assertIn(FAULTS[fault][2] + ":", lines[0])
 
+    def headings(self, fault, *paths):
+        """(rule, kind) of what is not allowed, of differences in coverage."""
+        words = [sys.executable, "-B", str(HERE / "whole_renderer.py"),
+                 f"{sys.executable} -B {ROOT}/reference/examples/rasterizer.py", fault]
+        results = self.results(*paths, "--sample", "1/12", "--timeout", "60", "--against",
+                               "exec:" + " ".join(map(shlex.quote, words)), expect=UNEXPECTED)
+        (clusters,) = results["clusters"].values()
+        return [(c.get("rule"), c.get("kind"), c.get("cause")) for c in clusters
+                if c["legality"] == "illegal" and c.get("kind") != "value"]
+
+    def test_a_small_fault_has_one_heading(self):
+        self.assertEqual(self.headings("y-major-extra", f"{SUITE}/lines"),
+                         [("line.diamond-exit", "extra", None)])
+        self.assertEqual(self.headings("joint-dropped", f"{SUITE}/lines"),
+                         [("line.joint", "missing", None)])
+
     def test_most_mixtures_are_named_whole(self):
         unnamed = []
         asked = in_share(MIXTURES)

@@ -74,6 +74,13 @@ void OperationsCauses::search_pairs(const OperationsQuestion& question,
     }
 }
 
+std::vector<Cause> OperationsCauses::common() const {
+  std::vector<Cause> common;
+  for (const auto& [cause, count] : counts_)
+    if (count == std::ssize(causes_)) common.push_back(cause);
+  return common;
+}
+
 std::vector<Cause> OperationsCauses::take() const {
   std::vector<Cause> best;
   for (const std::vector<Cause>& causes : causes_) {

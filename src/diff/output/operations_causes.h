@@ -23,6 +23,8 @@ class OperationsCauses {
   bool is_ambiguous() const { return found_.size() > 1; }
   // Counts a sample that agrees against the causes that would change it.
   void weigh(const OperationsQuestion& question);
+  // The causes that account for every added question and leave every weighed one as it is.
+  std::vector<Cause> common() const;
   // The cause of each added question, in order; empty for questions without one.
   std::vector<Cause> take() const;
 

@@ -68,6 +68,8 @@ class OperationsComparison {
     } else {
       weigh_causes();
       report(missed_, causes_.take(), chosen_, result);
+      if (std::vector<Cause> common = causes_.common(); !common.empty())
+        result.evidence.push_back({kAllValues, std::move(common), {}, ""});
     }
     report(excused_, excused_causes_.take(), standard_choices(), result);
   }

@@ -24,7 +24,8 @@ bool is_equal(const SampleState& a, const SampleState& b) {
   return a.color == b.color && is_equal(a.permitted_color, b.permitted_color) &&
          a.depth == b.depth && a.permitted_depth.low == b.permitted_depth.low &&
          a.permitted_depth.high == b.permitted_depth.high && a.source == b.source &&
-         a.stencil == b.stencil && a.hits == b.hits && a.blended == b.blended;
+         a.stencil == b.stencil && a.hits == b.hits && a.blended == b.blended &&
+         a.operated == b.operated;
 }
 
 // A state that permits everything that either of the two permits.
@@ -122,7 +123,9 @@ void Replay::add_tested(const SampleState& state, const Arrival& arrival, bool f
   if (has_stencil) face = &face_of(*operations.stencil, front_facing, output_.stencil);
   const auto with = [&](SampleState reached, StencilOperation StencilFace::*operation,
                         OperationsStep step) {
-    if (face != nullptr)
+    const bool is_first = output_.stencil != StencilMethod::once_a_draw ||
+                          std::exchange(reached.operated, &operations) != &operations;
+    if (face != nullptr && is_first)
       reached.stencil = edgecase::after(face->*operation, *face, reached.stencil, output_.stencil);
     add(with_step(std::move(reached), step), next);
   };

@@ -112,6 +112,8 @@ struct SampleState {
   std::uint32_t hits = 0;
   bool blended = false;  // something that is stored is the result of blending
   OperationsStep last = OperationsStep::none;
+  // Under StencilMethod::once_a_draw: the draw that changed the stencil value last.
+  const FragmentOperations* operated = nullptr;
 };
 
 // The outcomes of a step that are followed: exact's, all that the specification permits, or any.

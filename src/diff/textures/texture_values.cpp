@@ -224,8 +224,9 @@ class LookupComparison {
     return fits(lookup, choice, terms);
   }
 
-  std::vector<std::optional<TextureWay>> ways_of(const std::vector<ReportedLookup>& lookups,
-                                                 Terms terms) const {
+  // `ask` gets the search and the lookups that it is about.
+  template <class Ask>
+  auto searched(const std::vector<ReportedLookup>& lookups, Terms terms, const Ask& ask) const {
     const auto yields_other = [&](std::size_t i, const TextureChoice& choice) {
       return yields(lookups[i], choice, false, terms);
     };
@@ -233,8 +234,25 @@ class LookupComparison {
       const Fragment& fragment = *agreeing_[i];
       return yields({&fragment, {}, rendered_of(fragment)}, choice, true, terms);
     };
-    return TextureWaySearch(chosen_, profile_, kinds_of(lookups, terms.as_reported))
-        .explain({lookups.size(), agreeing_.size(), yields_other, yields_agreeing});
+    return ask(TextureWaySearch(chosen_, profile_, kinds_of(lookups, terms.as_reported)),
+               WaySearchLookups{lookups.size(), agreeing_.size(), yields_other, yields_agreeing});
+  }
+
+  std::vector<std::optional<TextureWay>> ways_of(const std::vector<ReportedLookup>& lookups,
+                                                 Terms terms) const {
+    return searched(lookups, terms,
+                    [](const auto& search, const auto& of) { return search.explain(of); });
+  }
+
+  // What all lookups beyond the permitted may come of.
+  void add_evidence(Result& result) const {
+    std::vector<ReportedLookup> beyond;
+    std::ranges::copy_if(others_, std::back_inserter(beyond),
+                         [&](const ReportedLookup& lookup) { return !is_permitted(lookup); });
+    if (beyond.empty()) return;
+    const auto common = [](const auto& search, const auto& of) { return search.common(of); };
+    std::vector<Cause> causes = searched(beyond, {true, false}, common);
+    if (!causes.empty()) result.evidence.push_back({kAllValues, std::move(causes), {}, ""});
   }
 
   // Half a code hides many ways. If a renderer does not round to codes, a way shows nevertheless: a
@@ -299,6 +317,7 @@ class LookupComparison {
       else
         aggregate(others_[i]);
     }
+    add_evidence(result);
   }
 
   Disagreement disagreement(const ReportedLookup& lookup) const {

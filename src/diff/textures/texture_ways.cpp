@@ -239,6 +239,17 @@ std::vector<std::optional<TextureWay>> TextureWaySearch::explain(
   return Search(lookups).run(tiers_);
 }
 
+std::vector<Cause> TextureWaySearch::common(const WaySearchLookups& lookups) const {
+  const std::vector<std::size_t> others = sample_of(lookups.others, kSample);
+  const std::vector<std::size_t> agreeing = sample_of(lookups.agreeing, kSample);
+  std::vector<Cause> common;
+  for (const TextureWay& way : tiers_.front())
+    if (std::ranges::all_of(others, [&](auto i) { return lookups.yields(i, way.choice); }) &&
+        std::ranges::all_of(agreeing, [&](auto i) { return lookups.agrees(i, way.choice); }))
+      common.push_back(way.cause);
+  return common;
+}
+
 // -------------------------------------------------------------------------- what a lookup can show
 
 namespace {

@@ -71,6 +71,10 @@ class TextureWaySearch {
   // and that before pairs of changes: a later one must explain more than twice as many.
   std::vector<std::optional<TextureWay>> explain(const WaySearchLookups& lookups) const;
 
+  // The single changes that yield all of the others and all agreeing ones, of which a sample is
+  // asked.
+  std::vector<Cause> common(const WaySearchLookups& lookups) const;
+
  private:
   std::vector<std::vector<TextureWay>> tiers_;
 };

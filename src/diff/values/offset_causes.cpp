@@ -24,12 +24,12 @@ Changes unit_changes(const RuleChoices& chosen, DepthFormat format) {
                         chosen);
 }
 
-// Every alternative besides the chosen ones, then every slope with every unit.
+// Every alternative besides the chosen ones, units first, then every slope with every unit.
 std::vector<Changes> offset_changes(const RuleChoices& chosen, DepthFormat format) {
   const Changes slopes = changes_beside(RuleId::offset_slope, chosen);
   const Changes units = unit_changes(chosen, format);
   std::vector<Changes> sets;
-  for (const Changes& singles : {slopes, units})
+  for (const Changes& singles : {units, slopes})
     for (const Change& change : singles) sets.push_back({change});
   for (const Change& slope : slopes)
     for (const Change& unit : units) sets.push_back({slope, unit});

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t kShare = 100;
 constexpr std::size_t kLeast = 200;  // softpipe's clipped triangles err in few
-constexpr int kSize = 32;            // pixels
+constexpr int kSize = 32;            // pixels, of the viewport
+constexpr int kBorder = 4;           // pixels around it, where its sides show
 // Generators of one seed with different purposes are independent.
 constexpr std::uint64_t kStreams = 0x5f00;  // plus a ClipPlace
 
@@ -102,7 +103,9 @@ void measure_clipping(const Question& question, SceneDrawing& drawing, SurfaceFi
 
 Scene clip_scene(std::uint64_t seed, Surface surface, ClipPlace place, std::uint64_t index) {
   RandomSource random(seed, kStreams + static_cast<std::uint64_t>(place), index);
-  Scene scene = scene_of(surface, kSize, Primitive::triangles, std::array<Point, 3>{});
+  Scene scene =
+      scene_of(surface, kSize + 2 * kBorder, Primitive::triangles, std::array<Point, 3>{});
+  scene.viewport = {kBorder, kBorder, kSize, kSize};
   std::vector<Vertex>& vertices = scene.draws[0].vertices;
   const auto last = static_cast<std::size_t>(random.below(3));
   for (std::size_t i = 0; i < vertices.size(); ++i) {

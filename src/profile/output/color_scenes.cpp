@@ -144,8 +144,9 @@ Scene terms_scene(RandomSource& random, Surface surface, BlendFactor destination
 
 Scene min_max_scene(RandomSource& random, Surface surface) {
   Scene scene = stored_codes(random, surface);
-  const BlendTerm least{BlendEquation::min, BlendFactor::one, BlendFactor::one};
-  const BlendTerm most{BlendEquation::max, BlendFactor::one, BlendFactor::one};
+  // Factors that must be ignored.
+  const BlendTerm least{BlendEquation::min, BlendFactor::one_minus_src_alpha, BlendFactor::one};
+  const BlendTerm most{BlendEquation::max, BlendFactor::one_minus_src_alpha, BlendFactor::one};
   add_blended(scene, random, {least, most, {}}, 0, kCells / 2);
   add_blended(scene, random, {most, least, {}}, kCells / 2, kCells / 2);
   return scene;

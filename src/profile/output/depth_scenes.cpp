@@ -134,8 +134,12 @@ std::vector<Scene> stencil_scenes(std::uint64_t seed, Surface surface, DepthForm
       const std::int64_t depth = random.between(1, 7) * kDepthOne / 8;
       const Color color = random_codes(random);
       for (std::size_t cell = 0; cell < kCells; ++cell)
-        if (random.one_in(4))
-          add_triangle(draw, cell, flat_triangle(color, depth, random.one_in(2)));
+        if (random.one_in(4)) {
+          const CellTriangle triangle = flat_triangle(color, depth, random.one_in(2));
+          add_triangle(draw, cell, triangle);
+          // Twice in one draw.
+          if ((cell + d) % 4 == 0) add_triangle(draw, cell, triangle);
+        }
       scene.draws.push_back(std::move(draw));
     }
     scenes.push_back(std::move(scene));

@@ -302,15 +302,6 @@ std::vector<BlendedCell> blended_cells(const DrawnScene& drawn) {
   return cells;
 }
 
-// A draw's operations as understood by the method.
-FragmentOperations operations_by(FragmentOperations operations, BlendMethod method) {
-  if (method == BlendMethod::ignored)
-    operations.blending.reset();
-  else
-    operations.blending = blending_by(*operations.blending, method);
-  return operations;
-}
-
 bool is_permitted(const BlendedCell& cell, BlendMethod method) {
   std::array<Interval, 4> source;
   Rgba8Range destination;
@@ -318,8 +309,7 @@ bool is_permitted(const BlendedCell& cell, BlendMethod method) {
     source[i] = Interval(cell.source[i]);
     destination[i] = {cell.destination[i], cell.destination[i]};
   }
-  const Rgba8Range permitted =
-      permitted_color(operations_by(*cell.operations, method), source, destination);
+  const Rgba8Range permitted = permitted_color(*cell.operations, source, destination, method);
   for (std::size_t i = 0; i < 4; ++i)
     if (cell.stored[i] < permitted[i].low || cell.stored[i] > permitted[i].high) return false;
   return true;

@@ -33,6 +33,7 @@ enum class ClipMethod {
   doubled_sides,  // the same, cut at near, far and the sides of a volume twice as wide and high
   discarded,      // a primitive that reaches out of the volume is dropped whole
   depth_ignored,  // sample by sample, but for near and far
+  sides_ignored,  // the same, but for the viewport's sides
 };
 template <>
 inline constexpr auto kNames<ClipMethod> = std::to_array<TabledAlternative<ClipMethod>>(
@@ -47,7 +48,9 @@ inline constexpr auto kNames<ClipMethod> = std::to_array<TabledAlternative<ClipM
      {ClipMethod::discarded, "discarded", Openness::illegal,
       "a triangle that is partly outside the volume is dropped"},
      {ClipMethod::depth_ignored, "depth-ignored", Openness::illegal,
-      "parts nearer than near or farther than far are drawn too"}});
+      "parts nearer than near or farther than far are drawn too"},
+     {ClipMethod::sides_ignored, "sides-ignored", Openness::illegal,
+      "parts beyond the viewport's sides are drawn too"}});
 
 // A triangle with some vertices outside the volume: positions with a w of either sign, and z over
 // the same w.

@@ -206,6 +206,19 @@ int sign_of_area(const std::array<HomogeneousPoint, 3>& positions) {
   return sign(cross(positions[0], positions[1], positions[2]));
 }
 
+// The sign of the area, of vertices on the grid of whole pixels where the method has them so.
+int facing_sign(std::array<HomogeneousPoint, 3> positions, FacingMethod method) {
+  const bool is_cut = method == FacingMethod::of_cut_vertices;
+  const bool sees_all = std::ranges::all_of(positions, [](const HomogeneousPoint& p) {
+    return p.w > 0;
+  });
+  if (sees_all && (is_cut || method == FacingMethod::of_rounded_vertices)) {
+    const Snap whole{0, is_cut ? Snap::Rounding::truncate : Snap::Rounding::half_up};
+    for (HomogeneousPoint& p : positions) p = homogeneous(whole(p));
+  }
+  return sign_of_area(positions) * (method == FacingMethod::reversed ? -1 : 1);
+}
+
 }  // namespace
 
 // A primitive without area faces the back in either winding.
@@ -214,7 +227,7 @@ bool is_front_facing(const ScenePrimitive& primitive,
   if (primitive.kind != PrimitiveKind::triangle) return true;
   const bool is_clockwise_front =
       primitive.state->front_face == FrontFace::cw && method != FacingMethod::always_ccw;
-  const int area = sign_of_area(positions) * (method == FacingMethod::reversed ? -1 : 1);
+  const int area = facing_sign(positions, method);
   return is_clockwise_front ? area < 0 : area > 0;
 }
 

@@ -113,6 +113,8 @@ enum class FacingMethod {
   reversed,    // y is assumed to run downwards
   always_ccw,  // the draw's front face is ignored
   not_culled,  // nothing is dropped
+  of_cut_vertices,      // by the area that whole coordinates have, cut or
+  of_rounded_vertices,  // rounded
 };
 template <>
 inline constexpr auto kNames<FacingMethod> = std::to_array<TabledAlternative<FacingMethod>>(
@@ -122,7 +124,11 @@ inline constexpr auto kNames<FacingMethod> = std::to_array<TabledAlternative<Fac
       "y is taken to run downward, which exchanges front and back"},
      {FacingMethod::always_ccw, "always-ccw", Openness::illegal,
       "counter-clockwise polygons face the front, whatever the draw sets"},
-     {FacingMethod::not_culled, "not-culled", Openness::illegal, "no polygon is dropped"}});
+     {FacingMethod::not_culled, "not-culled", Openness::illegal, "no polygon is dropped"},
+     {FacingMethod::of_cut_vertices, "of-cut-vertices", Openness::illegal,
+      "the area's sign is that of vertices cut to whole pixels"},
+     {FacingMethod::of_rounded_vertices, "of-rounded-vertices", Openness::illegal,
+      "the area's sign is that of vertices rounded to whole pixels"}});
 
 // Points and lines face the front.
 bool is_front_facing(const ScenePrimitive& primitive,

@@ -60,8 +60,8 @@ class ExactlyBlended {
             source, destination, constant, [](double value) { return Interval(value); },
             [](int code) { return Interval(code) / 255; })) {}
 
-  std::uint8_t code(const BlendTerm& term, std::size_t component) const {
-    const Interval result = blended(term, narrow_, component) * 255;
+  std::uint8_t code(const BlendTerm& term, std::size_t component, bool weighs_extremes) const {
+    const Interval result = blended(term, narrow_, component, weighs_extremes) * 255;
     const double low = std::nearbyint(std::clamp(result.low, 0.0, 255.0));
     const double high = std::nearbyint(std::clamp(result.high, 0.0, 255.0));
     if (low == high) return static_cast<std::uint8_t>(low);
@@ -70,7 +70,7 @@ class ExactlyBlended {
         operands_of<Rational>(
             source_, destination_, constant_, [](double value) { return rational_of(value); },
             [](int code) { return Rational(code, 255); }),
-        component));
+        component, weighs_extremes));
   }
 
  private:
@@ -167,6 +167,46 @@ void exchange_form(BlendTerm& term, BlendFactor from, BlendFactor to) {
     term.source = to;
 }
 
+// MIN or MAX with the source's colour by its alpha.
+void weigh_by_source_alpha(BlendTerm& term, BlendFactor source) {
+  if (term.equation != BlendEquation::min && term.equation != BlendEquation::max) return;
+  term.source = source;
+  term.destination = BlendFactor::one;
+}
+
+// A draw's terms as changed by a method; `ignored`, which blends nothing, leaves them.
+Blending blending_by(Blending blending, BlendMethod method) {
+  switch (method) {
+    case BlendMethod::as_set:
+    case BlendMethod::ignored:
+    case BlendMethod::factors_in_min_and_max:
+      break;
+    case BlendMethod::source_alpha_in_min_and_max:
+      weigh_by_source_alpha(blending.color, BlendFactor::src_alpha);
+      weigh_by_source_alpha(blending.alpha, BlendFactor::one);
+      break;
+    case BlendMethod::color_for_alpha:
+      blending.alpha = blending.color;
+      break;
+    case BlendMethod::swapped:
+      std::swap(blending.color.source, blending.color.destination);
+      std::swap(blending.alpha.source, blending.alpha.destination);
+      break;
+    case BlendMethod::over_as_premultiplied:
+      exchange_form(blending.color, BlendFactor::src_alpha, BlendFactor::one);
+      break;
+    case BlendMethod::over_as_straight:
+      exchange_form(blending.color, BlendFactor::one, BlendFactor::src_alpha);
+      break;
+  }
+  return blending;
+}
+
+bool weighs_extremes(BlendMethod method) {
+  return method == BlendMethod::factors_in_min_and_max ||
+         method == BlendMethod::source_alpha_in_min_and_max;
+}
+
 BlendTerm term_of(const Blending& blending, std::size_t component, BlendMethod method) {
   const Blending meant = blending_by(blending, method);
   return component == kAlpha ? meant.alpha : meant.color;
@@ -193,6 +233,7 @@ std::uint8_t clamped_code(Number result) {
 
 Rgba8 blended_codes(const Blending& blending, const std::array<double, 4>& source,
                     const Rgba8& destination, const BlendChoice& choice) {
+  const bool weighs = weighs_extremes(choice.method);
   // Operands are made once for all components.
   const auto each = [&](const auto& code) {
     Rgba8 codes{};
@@ -204,15 +245,16 @@ Rgba8 blended_codes(const Blending& blending, const std::array<double, 4>& sourc
     const auto operands = rounded_operands<Number>(source, destination, blending.constant);
     return each([&](const BlendTerm& term, std::size_t i) {
       if constexpr (std::is_same_v<Number, int>)
-        return static_cast<std::uint8_t>(code_of_square(blended(term, operands, i)));
+        return static_cast<std::uint8_t>(code_of_square(blended(term, operands, i, weighs)));
       else
-        return clamped_code(blended(term, operands, i));
+        return clamped_code(blended(term, operands, i, weighs));
     });
   };
   switch (choice.rounding) {
     case BlendRounding::once: {
       const ExactlyBlended exactly(source, destination, blending.constant);
-      return each([&](const BlendTerm& term, std::size_t i) { return exactly.code(term, i); });
+      return each(
+          [&](const BlendTerm& term, std::size_t i) { return exactly.code(term, i, weighs); });
     }
     case BlendRounding::source_first:
       return by_codes(int{});
@@ -225,28 +267,6 @@ Rgba8 blended_codes(const Blending& blending, const std::array<double, 4>& sourc
 }
 
 }  // namespace
-
-Blending blending_by(Blending blending, BlendMethod method) {
-  switch (method) {
-    case BlendMethod::as_set:
-    case BlendMethod::ignored:
-      break;
-    case BlendMethod::color_for_alpha:
-      blending.alpha = blending.color;
-      break;
-    case BlendMethod::swapped:
-      std::swap(blending.color.source, blending.color.destination);
-      std::swap(blending.alpha.source, blending.alpha.destination);
-      break;
-    case BlendMethod::over_as_premultiplied:
-      exchange_form(blending.color, BlendFactor::src_alpha, BlendFactor::one);
-      break;
-    case BlendMethod::over_as_straight:
-      exchange_form(blending.color, BlendFactor::one, BlendFactor::src_alpha);
-      break;
-  }
-  return blending;
-}
 
 Rgba8 written_color(const FragmentOperations& operations, const std::array<double, 4>& source,
                     const Rgba8& destination, const BlendChoice& choice) {
@@ -265,7 +285,9 @@ Rgba8 written_color(const FragmentOperations& operations, const std::array<doubl
 }
 
 Rgba8Range permitted_color(const FragmentOperations& operations,
-                           const std::array<Interval, 4>& source, const Rgba8Range& destination) {
+                           const std::array<Interval, 4>& source, const Rgba8Range& destination,
+                           BlendMethod method) {
+  const bool blends = operations.blending && method != BlendMethod::ignored;
   BlendOperands<CodeRange> operands{{}, {}, {}, {kLargest, kLargest}};
   for (std::size_t i = 0; i < 4; ++i) {
     operands.source[i] = codes_around(source[i]);
@@ -276,12 +298,12 @@ Rgba8Range permitted_color(const FragmentOperations& operations,
   Rgba8Range result = destination;
   for (std::size_t i = 0; i < 4; ++i) {
     if (!operations.color_mask[i]) continue;
-    if (!operations.blending) {
+    if (!blends) {
       result[i] = unorm8_permitted(source[i]);
       continue;
     }
-    const BlendTerm term = term_of(*operations.blending, i, BlendMethod::as_set);
-    const CodeRange range = blended(term, operands, i);
+    const BlendTerm term = term_of(*operations.blending, i, method);
+    const CodeRange range = blended(term, operands, i, weighs_extremes(method));
     result[i] = {std::clamp(range.low, 0, kLargest), std::clamp(range.high, 0, kLargest)};
   }
   return result;

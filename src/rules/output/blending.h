@@ -34,6 +34,10 @@ enum class BlendMethod {
   // one_minus_src_alpha}, and the other way round.
   over_as_premultiplied,
   over_as_straight,
+  // MIN and MAX compare products by the factors, which they must not know; or the source's product
+  // by its own alpha.
+  factors_in_min_and_max,
+  source_alpha_in_min_and_max,
 };
 template <>
 inline constexpr auto kNames<BlendMethod> = std::to_array<TabledAlternative<BlendMethod>>(
@@ -48,10 +52,11 @@ inline constexpr auto kNames<BlendMethod> = std::to_array<TabledAlternative<Blen
       "over of a straight colour omits the product by its alpha, as if the colour were "
       "premultiplied"},
      {BlendMethod::over_as_straight, "over-as-straight", Openness::illegal,
-      "over of a premultiplied colour multiplies it by its alpha once more"}});
-
-// A draw's terms as changed by a method; `ignored`, which blends nothing, leaves them.
-Blending blending_by(Blending blending, BlendMethod method);
+      "over of a premultiplied colour multiplies it by its alpha once more"},
+     {BlendMethod::factors_in_min_and_max, "factors-in-min-and-max", Openness::illegal,
+      "min and max compare the products by the factors, which they must ignore"},
+     {BlendMethod::source_alpha_in_min_and_max, "source-alpha-in-min-and-max", Openness::illegal,
+      "min and max multiply the source's colour by its alpha first"}});
 
 // Where a result is rounded on its way to 8 bits. More are added as renderers are found to use
 // them.
@@ -98,9 +103,11 @@ Rgba8 written_color(const FragmentOperations& operations, const std::array<doubl
 
 // The permitted results, component by component: blending is computed with a precision that is no
 // lower than that of the destination's components (17.3.6.1), so source, constant, factors,
-// products and sum may each be rounded to either neighbouring multiple of 1/255.
+// products and sum may each be rounded to either neighbouring multiple of 1/255. `method`: the same
+// for operations that are understood so.
 Rgba8Range permitted_color(const FragmentOperations& operations,
-                           const std::array<Interval, 4>& source, const Rgba8Range& destination);
+                           const std::array<Interval, 4>& source, const Rgba8Range& destination,
+                           BlendMethod method = BlendMethod::as_set);
 
 // The formula of blending (GL 4.6 core, tables 17.1 and 17.2), once for every kind of number:
 // exact, an interval, or rounded at each step.
@@ -179,9 +186,11 @@ Number factor_of(BlendFactor factor, const BlendOperands<Number>& of, std::size_
   return of.one;
 }
 
-// A component of the result, before clamping.
+// A component of the result, before clamping. `weighs_extremes`: min and max compare products, as
+// the alternatives do that apply factors there.
 template <class Number>
-Number blended(const BlendTerm& term, const BlendOperands<Number>& of, std::size_t component) {
+Number blended(const BlendTerm& term, const BlendOperands<Number>& of, std::size_t component,
+               bool weighs_extremes = false) {
   const auto source = [&]() -> Number {
     return of.source[component] * factor_of(term.source, of, component);
   };
@@ -196,8 +205,10 @@ Number blended(const BlendTerm& term, const BlendOperands<Number>& of, std::size
     case BlendEquation::reverse_subtract:
       return destination() - source();
     case BlendEquation::min:
+      if (weighs_extremes) return lesser<Number>(source(), destination());
       return lesser<Number>(of.source[component], of.destination[component]) * of.one;
     case BlendEquation::max:
+      if (weighs_extremes) return greater<Number>(source(), destination());
       return greater<Number>(of.source[component], of.destination[component]) * of.one;
   }
   return source();

@@ -60,7 +60,8 @@ std::uint8_t after(StencilOperation operation, const StencilFace& face, std::uin
                    StencilMethod method) {
   if (method == StencilMethod::ignored) return stored;
   const int result = result_of(operation_by(operation, method), face.reference, stored);
-  return static_cast<std::uint8_t>((result & face.write_mask) | (stored & ~face.write_mask));
+  const int mask = method == StencilMethod::write_mask_ignored ? 0xff : face.write_mask;
+  return static_cast<std::uint8_t>((result & mask) | (stored & ~mask));
 }
 
 Rule stencil_test_rule() {

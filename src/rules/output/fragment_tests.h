@@ -37,6 +37,8 @@ enum class StencilMethod {
   stored_first,  // the operands of the comparison are exchanged
   wrapping,      // incr and decr wrap
   saturating,    // incr_wrap and decr_wrap saturate
+  write_mask_ignored,
+  once_a_draw,  // of a draw, only the first fragment at a sample changes the stored value
 };
 template <>
 inline constexpr auto kNames<StencilMethod> = std::to_array<TabledAlternative<StencilMethod>>(
@@ -53,7 +55,11 @@ inline constexpr auto kNames<StencilMethod> = std::to_array<TabledAlternative<St
      {StencilMethod::wrapping, "wrapping", Openness::illegal,
       "incr and decr wrap, as incr_wrap and decr_wrap do"},
      {StencilMethod::saturating, "saturating", Openness::illegal,
-      "incr_wrap and decr_wrap stop at 255 and 0, as incr and decr do"}});
+      "incr_wrap and decr_wrap stop at 255 and 0, as incr and decr do"},
+     {StencilMethod::write_mask_ignored, "write-mask-ignored", Openness::illegal,
+      "operations change all bits, whatever the write mask says"},
+     {StencilMethod::once_a_draw, "once-a-draw", Openness::illegal,
+      "of the fragments of one draw at a sample, only the first changes the stored value"}});
 
 // The state for fragments of one facing; points and lines are front-facing.
 const StencilFace& face_of(const StencilTest& test, bool front_facing, StencilMethod method);

@@ -78,9 +78,12 @@ Interval step_of(int bits) {
   return Interval(1) / (std::ldexp(1.0, bits) - 1);
 }
 
-// Doubled without rounding.
+// Without rounding.
 Interval doubled(Interval unit) {
   return {2 * unit.low, 2 * unit.high};
+}
+Interval halved(Interval unit) {
+  return {unit.low / 2, unit.high / 2};
 }
 
 Interval fixed_unit(int bits, OffsetUnit choice) {
@@ -93,6 +96,8 @@ Interval fixed_unit(int bits, OffsetUnit choice) {
       return doubled(step_of(bits));
     case OffsetUnit::four_steps:
       return doubled(doubled(step_of(bits)));
+    case OffsetUnit::half_step:
+      return halved(step_of(bits));
     case OffsetUnit::of_24_bits:
       return 0x1p-24;
     case OffsetUnit::ignored:
@@ -109,6 +114,8 @@ Interval unit_of(const Interpolant& depth, DepthFormat format, const OffsetChoic
       return float_unit_of(depth, 0);
     case OffsetExponent::doubled:
       return doubled(float_unit_of(depth, 0));
+    case OffsetExponent::halved:
+      return halved(float_unit_of(depth, 0));
     case OffsetExponent::one:
       return 0x1p-23;
     case OffsetExponent::as_fixed:
@@ -123,6 +130,8 @@ Interval slope_of(const Gradient& gradient, OffsetSlope choice) {
       return length_of(gradient, 0);
     case OffsetSlope::largest_partial:
       return largest_of(gradient);
+    case OffsetSlope::sum_of_partials:
+      return absolute(gradient.x) + absolute(gradient.y);
     case OffsetSlope::ignored:
       return 0;
   }

@@ -24,13 +24,14 @@ Rule offset_slope_rule();     // offset.slope
 Rule offset_unit_rule();      // offset.unit: fixed-point buffers
 Rule offset_exponent_rule();  // offset.exponent: floating-point buffers
 
-enum class OffsetSlope { length, largest_partial, ignored };
+enum class OffsetSlope { length, largest_partial, sum_of_partials, ignored };
 template <>
 inline constexpr auto kNames<OffsetSlope> = std::to_array<TabledAlternative<OffsetSlope>>(
     {{OffsetSlope::length, "length", Openness::open,
       "the length of the gradient, sqrt((dz/dx)^2 + (dz/dy)^2)"},
      {OffsetSlope::largest_partial, "largest-partial", Openness::open,
       "the larger one of |dz/dx| and |dz/dy|"},
+     {OffsetSlope::sum_of_partials, "sum-of-partials", Openness::illegal, "|dz/dx| + |dz/dy|"},
      {OffsetSlope::ignored, "ignored", Openness::illegal, "0: the factor does nothing"}});
 
 // r for n bits.
@@ -39,6 +40,7 @@ enum class OffsetUnit {
   power,       // 2^-n
   two_steps,   // 2/(2^n - 1)
   four_steps,  // 4/(2^n - 1)
+  half_step,   // 1/(2^n - 1)/2
   of_24_bits,  // 2^-24 for every n
   ignored,
 };
@@ -49,6 +51,8 @@ inline constexpr auto kNames<OffsetUnit> = std::to_array<TabledAlternative<Offse
      {OffsetUnit::power, "power", Openness::open, "2^-n"},
      {OffsetUnit::two_steps, "two-steps", Openness::open, "2/(2^n - 1)"},
      {OffsetUnit::four_steps, "four-steps", Openness::open, "4/(2^n - 1)"},
+     {OffsetUnit::half_step, "half-step", Openness::illegal,
+      "half of 1/(2^n - 1), a difference that the buffer does not keep"},
      {OffsetUnit::of_24_bits, "of-24-bits", Openness::illegal,
       "2^-24 whatever n is, a difference that a buffer of 16 bits does not keep"},
      {OffsetUnit::ignored, "ignored", Openness::illegal, "0: the units do nothing"}});
@@ -56,6 +60,7 @@ inline constexpr auto kNames<OffsetUnit> = std::to_array<TabledAlternative<Offse
 enum class OffsetExponent {
   largest_depth,  // of the largest depth among the vertices
   doubled,        // twice as much
+  halved,         // half as much
   one,            // of 1: r is 2^-23
   as_fixed,       // r as in a fixed-point buffer of 24 bits
 };
@@ -64,6 +69,7 @@ inline constexpr auto kNames<OffsetExponent> = std::to_array<TabledAlternative<O
     {{OffsetExponent::largest_depth, "largest-depth", Openness::mandated,
       "2^(e - 23), with e the exponent of the largest depth among the vertices"},
      {OffsetExponent::doubled, "doubled", Openness::illegal, "2^(e - 22)"},
+     {OffsetExponent::halved, "halved", Openness::illegal, "2^(e - 24)"},
      {OffsetExponent::one, "one", Openness::illegal, "2^-23, whatever the depths are"},
      {OffsetExponent::as_fixed, "as-fixed", Openness::illegal,
       "the unit of a fixed-point buffer of 24 bits"}});

@@ -72,6 +72,8 @@ double weight_of(double fraction, LevelWeight choice) {
       return std::clamp((fraction - 0.4375) * 8, 0.0, 1.0);
     case LevelWeight::one_at_ties:
       return fraction == 0.5 ? 1 : fraction;
+    case LevelWeight::whole:
+      return fraction < 0.5 ? 0 : 1;
   }
   return fraction;
 }

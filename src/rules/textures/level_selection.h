@@ -74,8 +74,10 @@ enum class LevelWeight {
   nearest_4,
   floor_3,  // of 1/8
   nearest_3,
-  narrow,       // 0 below 7/16, 1 above 9/16, linear between: fixture gpuweb 4818
+  // From what shows least to what shows most.
   one_at_ties,  // 1 at a fraction of 1/2: half a level off there, exact elsewhere
+  whole,        // 0 below 1/2, else 1: the nearer level alone
+  narrow,       // 0 below 7/16, 1 above 9/16, linear between: fixture gpuweb 4818
 };
 template <>
 inline constexpr auto kNames<LevelWeight> = std::to_array<TabledAlternative<LevelWeight>>(
@@ -89,10 +91,13 @@ inline constexpr auto kNames<LevelWeight> = std::to_array<TabledAlternative<Leve
      {LevelWeight::floor_3, "floor-3", Openness::illegal, "the fraction cut to 3 bits"},
      {LevelWeight::nearest_3, "nearest-3", Openness::illegal,
       "the fraction rounded to 3 bits, half up"},
-     {LevelWeight::narrow, "narrow", Openness::illegal,
-      "0 for fractions up to 7/16, 1 from 9/16 on, linear between them"},
      {LevelWeight::one_at_ties, "one-at-ties", Openness::illegal,
-      "1 for a fraction of 1/2, half a level too far; else the fraction"}});
+      "1 for a fraction of 1/2, half a level too far; else the fraction"},
+     {LevelWeight::whole, "whole", Openness::illegal,
+      "0 for fractions below 1/2, else 1: the nearer level alone, as without a filter between "
+      "levels"},
+     {LevelWeight::narrow, "narrow", Openness::illegal,
+      "0 for fractions up to 7/16, 1 from 9/16 on, linear between them"}});
 
 // A way to make a colour: one level under a filter, or two levels, the second by its weight.
 struct LevelPick {

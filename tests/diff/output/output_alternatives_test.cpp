@@ -64,6 +64,8 @@ Tally planted(const std::string& rule, const Alternative& alternative, bool mult
 void expect_named(const std::string& rule, bool multisampled, int wanted, double convicted = 0.9) {
   for (const Alternative& alternative : find_rule(rule)->alternatives) {
     if (alternative.name == find_rule(rule)->standard) continue;
+    // No draw of such a scene meets a sample twice.
+    if (multisampled && alternative.name == "once-a-draw") continue;
     const Tally tally = planted(rule, alternative, multisampled, wanted);
     const std::string which = rule + "=" + alternative.name;
     EXPECT_GE(tally.different, wanted / 2) << which;

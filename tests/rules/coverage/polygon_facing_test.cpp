@@ -68,6 +68,21 @@ TEST(PolygonFacing, AlternativesDiffer) {
   });
 }
 
+// Cut, all vertices of both triangles are in (0, 0); rounded, those of the first are in (1, 1).
+TEST(PolygonFacing, OfWholePixelsForgetsFractions) {
+  constexpr std::int64_t kW = 8;
+  const Positions within = {HomogeneousPoint{4, 4, kW}, {7, 4, kW}, {4, 7, kW}};
+  const Positions across = {HomogeneousPoint{1, 1, kW}, {7, 1, kW}, {1, 7, kW}};
+  const auto faces = [](const Positions& positions, FacingMethod method) {
+    return faces_front(positions, FrontFace::ccw, method);
+  };
+  EXPECT_TRUE(faces(within, FacingMethod::as_set));
+  EXPECT_FALSE(faces(within, FacingMethod::of_cut_vertices));
+  EXPECT_FALSE(faces(within, FacingMethod::of_rounded_vertices));
+  EXPECT_FALSE(faces(across, FacingMethod::of_cut_vertices));
+  EXPECT_TRUE(faces(across, FacingMethod::of_rounded_vertices));
+}
+
 TEST(PolygonFacing, CullingDropsTheFacesOfItsName) {
   visit_triangles([&](const Positions& positions, int) {
     for (const FrontFace front : {FrontFace::ccw, FrontFace::cw})

@@ -204,6 +204,26 @@ TEST(Blending, AlternativesOfTheEquation) {
   EXPECT_EQ(by(BlendMethod::over_as_straight), by(BlendMethod::as_set));
 }
 
+// The factors and alphas are powers of two, so that products are exact.
+TEST(Blending, MinAndMaxIgnoreFactorsUnlessAnAlternativeAppliesThem) {
+  const Numbers source = {1, 0.6, 0.2, 0.5};
+  const Rgba8 destination = {100, 100, 100, 100};
+  const auto by = [&](BlendEquation equation, BlendMethod method) {
+    const BlendTerm term{equation, BlendFactor::one, BlendFactor::zero};
+    return written({term, term, {}}, source, destination, {.method = method});
+  };
+  using enum BlendMethod;
+  EXPECT_EQ(by(BlendEquation::min, as_set), (Rgba8{100, 100, 51, 100}));
+  EXPECT_EQ(by(BlendEquation::max, as_set), (Rgba8{255, 153, 100, 128}));
+  EXPECT_EQ(by(BlendEquation::min, factors_in_min_and_max), (Rgba8{0, 0, 0, 0}));
+  EXPECT_EQ(by(BlendEquation::max, factors_in_min_and_max), (Rgba8{255, 153, 51, 128}));
+  // Half of 1, 0.6 and 0.2; alpha as it is.
+  EXPECT_EQ(by(BlendEquation::min, source_alpha_in_min_and_max), (Rgba8{100, 76, 26, 100}));
+  EXPECT_EQ(by(BlendEquation::max, source_alpha_in_min_and_max), (Rgba8{128, 100, 100, 128}));
+  for (const BlendMethod method : {factors_in_min_and_max, source_alpha_in_min_and_max})
+    EXPECT_EQ(by(BlendEquation::add, method), by(BlendEquation::add, as_set));
+}
+
 // Each form of over taken for the other is the other; no other blending is touched.
 TEST(Blending, FormsOfOverAreTakenForEachOther) {
   const Blending& premultiplied = kBlendPresets[1].blending;

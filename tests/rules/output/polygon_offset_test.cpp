@@ -50,6 +50,7 @@ TEST(PolygonOffset, TheFactorMultipliesTheSlope) {
     expect_about(offset_by(twice, {}, format), 10.0 / 256);
     expect_about(offset_by({-1, 0, 0}, {}, format), -5.0 / 256);
     expect_about(offset_by(twice, {.slope = OffsetSlope::largest_partial}, format), 8.0 / 256);
+    expect_about(offset_by(twice, {.slope = OffsetSlope::sum_of_partials}, format), 14.0 / 256);
     expect_about(offset_by(twice, {.slope = OffsetSlope::ignored}, format), 0);
   }
   expect_about(offset_exact(twice, in_perspective(known_plane()), DepthFormat::depth24, {}),
@@ -68,6 +69,7 @@ TEST(PolygonOffset, UnitsMultiplyAStepOfAFixedPointBuffer) {
     expect_about(by(OffsetUnit::power, format), 3 / values);
     expect_about(by(OffsetUnit::two_steps, format), 6 / (values - 1));
     expect_about(by(OffsetUnit::four_steps, format), 12 / (values - 1));
+    expect_about(by(OffsetUnit::half_step, format), 1.5 / (values - 1));
     expect_about(by(OffsetUnit::of_24_bits, format), 0x3p-24);
     expect_about(by(OffsetUnit::ignored, format), 0);
     // A step is what moves a stored value to the next.
@@ -99,6 +101,7 @@ TEST(PolygonOffset, UnitsOfAFloatBufferFollowTheLargestDepth) {
   expect_about(by(0x1p-126, largest_depth), 0x1p-149);
   expect_about(by(0x1p-125, largest_depth), 0x1p-148);
   expect_about(by(0.4375, doubled), 0x1p-24);
+  expect_about(by(0.4375, halved), 0x1p-26);
   expect_about(by(0.4375, OffsetExponent::one), 0x1p-23);
   expect_about(by(0.4375, as_fixed), 1 / (0x1p24 - 1));
   expect_about(by(0.4375, as_fixed, OffsetUnit::two_steps), 2 / (0x1p24 - 1));

@@ -163,5 +163,14 @@ TEST(StencilTest, WrappingAndSaturatingTakeOneForTheOther) {
   }
 }
 
+TEST(StencilTest, AnIgnoredWriteMaskChangesAllBits) {
+  const StencilFace face{.reference = 0xab, .write_mask = 0x0f};
+  const auto by = [&](StencilMethod method) {
+    return int{after(StencilOperation::replace, face, 0x12, method)};
+  };
+  EXPECT_EQ(by(StencilMethod::as_set), 0x1b);
+  EXPECT_EQ(by(StencilMethod::write_mask_ignored), 0xab);
+}
+
 }  // namespace
 }  // namespace edgecase

@@ -34,7 +34,7 @@ TEST(PickLevels, OfAnExactLambdaIsTheOneOfTheFormulas) {
       ASSERT_EQ(picks[0].weight.high, expected.weight) << lambda;
     }
   });
-  EXPECT_EQ(settings, 2 * 2 * 2 * 3 * (1 + 3 + 9));
+  EXPECT_EQ(settings, 2 * 2 * 2 * 3 * (1 + 3 + 10));
 }
 
 // The doubles on either side of every border: no sum rounds a lambda onto it.
@@ -206,6 +206,7 @@ TEST(LevelWeights, AreOffByWhatTheirNamesSay) {
   EXPECT_GT(worst(LevelWeight::floor_3), 31.9);
   EXPECT_EQ(worst(LevelWeight::nearest_3), 16);
   EXPECT_NEAR(worst(LevelWeight::narrow), 112, 0.1);
+  EXPECT_EQ(worst(LevelWeight::whole), 128);
   EXPECT_EQ(worst(LevelWeight::one_at_ties), 128);
 }
 

@@ -76,6 +76,8 @@ inline double weight(int fraction, LevelWeight choice) {
       return steps_of(8, 0);
     case LevelWeight::nearest_3:
       return steps_of(8, kUnit);
+    case LevelWeight::whole:
+      return 2 * fraction < kUnit ? 0 : 1;
     case LevelWeight::narrow:
       if (fraction < 7 * kUnit / 16) return 0;
       if (fraction > 9 * kUnit / 16) return 1;
