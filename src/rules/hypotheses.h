@@ -117,8 +117,8 @@ bool is_about_ties_alone(std::uint16_t number);
 bool is_fault(std::uint16_t number);
 
 // Marks among the numbers of an answer (ResultOutline::hypotheses): it covers something else than
-// it should; it covers what it should, and its colours are others; one alternative of the catalogue,
-// which the specification forbids, explains all that it covers.
+// it should; it covers what it should, and its colours are others; one alternative of the
+// catalogue, which the specification forbids, explains all that it covers.
 constexpr std::uint16_t kAskedOfCoverage = 65000;
 constexpr std::uint16_t kAskedOfColors = 65001;
 constexpr std::uint16_t kHasOneCause = 65002;

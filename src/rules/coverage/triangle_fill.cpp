@@ -209,9 +209,8 @@ int sign_of_area(const std::array<HomogeneousPoint, 3>& positions) {
 // The sign of the area, of vertices on the grid of whole pixels where the method has them so.
 int facing_sign(std::array<HomogeneousPoint, 3> positions, FacingMethod method) {
   const bool is_cut = method == FacingMethod::of_cut_vertices;
-  const bool sees_all = std::ranges::all_of(positions, [](const HomogeneousPoint& p) {
-    return p.w > 0;
-  });
+  const bool sees_all =
+      std::ranges::all_of(positions, [](const HomogeneousPoint& p) { return p.w > 0; });
   if (sees_all && (is_cut || method == FacingMethod::of_rounded_vertices)) {
     const Snap whole{0, is_cut ? Snap::Rounding::truncate : Snap::Rounding::half_up};
     for (HomogeneousPoint& p : positions) p = homogeneous(whole(p));

@@ -110,9 +110,9 @@ Rule polygon_facing_rule();  // polygon.facing
 
 enum class FacingMethod {
   as_set,
-  reversed,    // y is assumed to run downwards
-  always_ccw,  // the draw's front face is ignored
-  not_culled,  // nothing is dropped
+  reversed,             // y is assumed to run downwards
+  always_ccw,           // the draw's front face is ignored
+  not_culled,           // nothing is dropped
   of_cut_vertices,      // by the area that whole coordinates have, cut or
   of_rounded_vertices,  // rounded
 };
