@@ -15,7 +15,7 @@ namespace edgecase {
 
 // Writes, for each renderer that differs, at most 5 clusters without a cause and at most 5 causes,
 // in the order of results/clusters.h, and the numbers of the others. Text from files and renderers
-// is written on one line, with control characters made visible.
+// is written on one line, with control characters made visible. `clusters`: by renderer.
 void write_clusters(const Results& results, const std::vector<std::vector<Cluster>>& clusters,
                     const Painter& paint, std::ostream& out);
 

@@ -64,10 +64,6 @@ class AlternativeSet {
   }
 
   void add(AlternativeId id) { words_[word_of(id)] |= bit_of(id); }
-  AlternativeSet& operator|=(const AlternativeSet& more) {
-    for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= more.words_[i];
-    return *this;
-  }
   bool contains(AlternativeId id) const { return (words_[word_of(id)] & bit_of(id)) != 0; }
   // Calls `visit` with each alternative, in order.
   template <class Visit>

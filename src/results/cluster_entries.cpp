@@ -183,7 +183,7 @@ class Ballot {
 
   // The one cause of all: it explains nine in ten of the cases, no answer refutes it, and a pair is
   // not taken from one case alone. Of several the one of the fewest parts, then that of the most
-  // cases. Empty: there is none.
+  // cases, then the one that is the likeliest most often. Empty: there is none.
   Cause elected(const AlternativeSet& refuted) {
     close();
     const Cause* best = nullptr;
@@ -221,10 +221,9 @@ class ClusterEntries::Lists {
  public:
   explicit Lists(std::map<std::string, AlternativeSet> refuted) : refuted_(std::move(refuted)) {}
 
-  void start(const CaseResults& one, const Result& result) {
+  void start(const CaseResults& one) {
     if (latest_ != one.id) ++number_;
     latest_ = one.id;
-    refuted_[one.surface] |= result.refuted;
   }
 
   void add(const ClusterEntryKey& key, const ClusterPlace& place, const ClusterMember& member) {
@@ -321,8 +320,8 @@ ClusterEntries::ClusterEntries(std::map<std::string, AlternativeSet> refuted)
     : lists_(new Lists(std::move(refuted))) {}
 ClusterEntries::~ClusterEntries() = default;
 
-void ClusterEntries::start(const CaseResults& one, const Result& result) {
-  lists_->start(one, result);
+void ClusterEntries::start(const CaseResults& one) {
+  lists_->start(one);
 }
 
 void ClusterEntries::add(const ClusterEntryKey& key, const ClusterPlace& place,

@@ -45,8 +45,8 @@ class ClusterEntries {
   explicit ClusterEntries(std::map<std::string, AlternativeSet> refuted);
   ~ClusterEntries();
 
-  // A result whose differences are added next.
-  void start(const CaseResults& one, const Result& result);
+  // A case whose differences are added next.
+  void start(const CaseResults& one);
   void add(const ClusterEntryKey& key, const ClusterPlace& place, const ClusterMember& member);
   // To be called once. `is_apart`: by the cause that each difference looks like in its case alone.
   std::vector<Cluster> take(bool is_apart);

@@ -53,11 +53,12 @@ bool is_of_lookups(RuleId rule) {
   return name.starts_with("texture.") || name.starts_with("mipmap.");
 }
 
-// True if the evidence tells causes of the disagreement.
+// True if the evidence tells causes of the disagreement. Values of operations are those of pixels.
 bool is_about(const DisagreementClass& d, const Result::Evidence& evidence) {
   if (d.kind == DisagreementKind::value)
     return evidence.primitive == kAllValues && !evidence.causes.empty() &&
-           is_of_lookups(evidence.causes.front().rule()) == is_of_lookups(d.rule);
+           (is_of_lookups(evidence.causes.front().rule()) ? is_of_lookups(d.rule)
+                                                          : d.primitive < 0);
   return d.primitive == evidence.primitive && (evidence.pass < 0 || d.sample == evidence.pass);
 }
 
@@ -135,7 +136,7 @@ ClusterGatherer::~ClusterGatherer() = default;
 ClusterGatherer::ClusterGatherer(ClusterGatherer&&) noexcept = default;
 
 void ClusterGatherer::add(const CaseResults& one, const Result& result) {
-  entries_->start(one, result);
+  entries_->start(one);
   const Place place{&one, CaseSize(one)};
   const Explained explained = explained_by(portrait_, result);
   gather_disagreements(place, result, explained, *entries_);

@@ -182,6 +182,10 @@ TEST(Clusters, CountEveryCauseThatExplainsACase) {
                                     of_values({"stencil.test=unmasked"})};
   cases[1].id = "other";
   EXPECT_EQ(titles(clusters_of(results_of(cases), 0)), Titles{"stencil.test=unmasked, fbo"});
+  // What operations may come of explains no value that a fragment carries.
+  cases[0].results[0].disagreements[0].primitive = 0;
+  cases[0].results[0].disagreements[0].cause = {};
+  EXPECT_EQ(titles(clusters_of(results_of(cases), 0)), Titles{"stencil.test value, fbo"});
 }
 
 TEST(Clusters, WithoutACauseTellWhatTheyHaveInCommon) {
