@@ -146,10 +146,12 @@ def dropped_at_joints(scene, found):
         is_joint = number > 0 and starts[number] and starts[number] == ends[number - 1]
         if not is_joint or number in seen:
             kept.append(f)
-            continue
         seen.add(number)
-        at = 4 * (f["y"] * width + f["x"])
-        found["pixels"][at:at + 4] = clear
+    drawn = {(f["x"], f["y"]) for f in kept}
+    for f in found["fragments"]:
+        if (f["x"], f["y"]) not in drawn:
+            at = 4 * (f["y"] * width + f["x"])
+            found["pixels"][at:at + 4] = clear
     found["fragments"] = kept
 
 
