@@ -58,6 +58,7 @@ Json test_json(const TestOutcome& outcome, const Durations& durations) {
     json["tags"] = tags_of(*outcome.one);
     json["extra"] = {{"standing", name_of(outcome.result->standing)},
                      {"fingerprint", outcome.result->fingerprint}};
+    if (outcome.cluster != nullptr) json["extra"]["group"] = title_of(*outcome.cluster);
   }
   if (!outcome.file.empty()) json["filePath"] = outcome.file;
   return json;

@@ -57,13 +57,30 @@ const char* element_of(TestStatus status) {
   return "";
 }
 
+void add_property(const char* name, const std::string& value, pugi::xml_node properties) {
+  if (value.empty()) return;
+  pugi::xml_node property = properties.append_child("property");
+  property.append_attribute("name") = name;
+  property.append_attribute("value") = one_line(value).c_str();
+}
+
+// By what tests are grouped: the cause of the worst difference, or its rule and kind.
+void add_properties(const Cluster& cluster, pugi::xml_node test) {
+  pugi::xml_node properties = test.append_child("properties");
+  add_property("group", title_of(cluster), properties);
+  add_property("cause", cluster.cause.empty() ? "no cause found" : cluster.cause, properties);
+  add_property("rule", cluster.rule, properties);
+  add_property("kind", cluster.kind, properties);
+}
+
 // The document under construction. A suite's counts are written when the next suite begins.
 class Document {
  public:
-  Document(pugi::xml_node root, const Durations& durations) : root_(root), durations_(durations) {}
+  Document(pugi::xml_node root, const Results& results, const Durations& durations)
+      : root_(root), results_(results), durations_(durations) {}
 
   void add(const TestOutcome& outcome) {
-    if (outcome.suite.front() != suite_.attribute("name").as_string()) begin(outcome.suite.front());
+    if (outcome.suite.front() != suite_.attribute("name").as_string()) begin(outcome);
     const double seconds = seconds_of(outcome, durations_);
     counts_.add(outcome.status, seconds);
     total_.add(outcome.status, seconds);
@@ -71,6 +88,7 @@ class Document {
     test.append_attribute("classname") = fmt::format("{}", fmt::join(outcome.suite, ".")).c_str();
     test.append_attribute("name") = outcome.name.c_str();
     add_time(test, seconds);
+    if (outcome.cluster != nullptr) add_properties(*outcome.cluster, test);
     if (outcome.status == TestStatus::passed) {
       if (!outcome.message.empty())
         test.append_child("system-out").text().set(outcome.message.c_str());
@@ -88,14 +106,25 @@ class Document {
   }
 
  private:
-  void begin(const std::string& name) {
+  void begin(const TestOutcome& outcome) {
     if (suite_) counts_.write(suite_);
     counts_ = {};
     suite_ = root_.append_child("testsuite");
-    suite_.append_attribute("name") = name.c_str();
+    suite_.append_attribute("name") = outcome.suite.front().c_str();
+    if (outcome.renderer != nullptr) add_portrait(*outcome.renderer);
+  }
+
+  // What all answers of the suite's renderer say of it.
+  void add_portrait(const RendererInfo& renderer) {
+    const auto index = static_cast<std::size_t>(&renderer - results_.renderers.data());
+    const std::vector<std::string> sentences = sentences_of(portrait_of(results_, index));
+    if (sentences.empty()) return;
+    pugi::xml_node properties = suite_.append_child("properties");
+    for (const std::string& sentence : sentences) add_property("portrait", sentence, properties);
   }
 
   pugi::xml_node root_;
+  const Results& results_;
   const Durations& durations_;
   pugi::xml_node suite_;
   Counts counts_;  // of the suite
@@ -111,7 +140,7 @@ void write_junit(const Results& results, const Durations& durations, std::ostrea
   declaration.append_attribute("encoding") = "UTF-8";
   pugi::xml_node root = document.append_child("testsuites");
   root.append_attribute("name") = one_line(results.tool + ", policy " + results.policy).c_str();
-  Document tests(root, durations);
+  Document tests(root, results, durations);
   visit_outcomes(results, [&tests](const TestOutcome& outcome) { tests.add(outcome); });
   tests.end();
   document.save(out, "  ", pugi::format_default, pugi::encoding_utf8);

@@ -389,6 +389,7 @@ Json report_index(const Results& results, const ReportTexts& texts, const CaseHe
     clusters.push_back(sums[i].take_clusters());
     json["renderers"].push_back(renderer_json(results, texts, i, clusters[i], sums[i]));
   }
+  json["answers"] = results.rules;
   json["unexpected"] = Json::array();
   for (const UnexpectedAnswer& answer : unexpected)
     json["unexpected"].push_back(unexpected_json(results, answer, clusters[answer.place.renderer]));

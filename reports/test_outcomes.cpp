@@ -25,6 +25,8 @@ constexpr std::size_t kMostOfLine = 1000;
 constexpr std::size_t kMostBytes = 24'000'000;  // of XML, of all tests
 constexpr std::size_t kMarkup = 160;            // at most, around the texts of one test
 
+constexpr std::size_t kProperties = 400;  // at most, of a test with a cause, without its text
+
 // Bytes that the text takes in an attribute or element of XML.
 std::size_t size_in_xml(std::string_view text) {
   std::size_t size = text.size();
@@ -97,11 +99,30 @@ int line_named(const std::string& text, const std::string& file) {
   return line;
 }
 
+// What all answers of each renderer come to, where some are not as expected.
+struct RunCauses {
+  explicit RunCauses(const Results& results) {
+    if (count_unexpected(results) == 0) return;
+    clusters = clusters_of(results);
+    for (std::size_t r = 0; r < results.renderers.size(); ++r)
+      portraits.push_back(portrait_of(results, r));
+  }
+  const Cluster* of(const CaseResults& one, std::size_t renderer) const {
+    const Result& result = one.results[renderer];
+    return renderer < portraits.size() && is_unexpected(result.standing)
+               ? told_by(one, result, portraits[renderer], clusters[renderer])
+               : nullptr;
+  }
+
+  std::vector<std::vector<Cluster>> clusters;
+  std::vector<Portrait> portraits;
+};
+
 class Visit {
  public:
   // `most`: bytes of XML for the details of one test.
-  Visit(const Results& results, std::size_t most, const TestSink& sink)
-      : results_(results), most_(most), sink_(sink) {}
+  Visit(const Results& results, const RunCauses& causes, std::size_t most, const TestSink& sink)
+      : results_(results), causes_(causes), most_(most), sink_(sink) {}
 
   void all() {
     for (std::size_t r = 0; r < results_.renderers.size(); ++r) visit_renderer(r);
@@ -148,6 +169,7 @@ class Visit {
       outcome.one = &one;
       outcome.result = &result;
       outcome.renderer = &results_.renderers[index];
+      outcome.cluster = causes_.of(one, index);
       describe_result(results_.renderers[index], outcome);
       sink_(outcome);
     }
@@ -247,6 +269,7 @@ class Visit {
   }
 
   const Results& results_;
+  const RunCauses& causes_;
   std::size_t most_;
   const TestSink& sink_;
   const std::vector<AnswerPlace> told_ = worst_first(results_, is_told);
@@ -256,23 +279,25 @@ class Visit {
 };
 
 // The bytes for the details of one test, so that all tests together stay below kMostBytes.
-std::size_t share_of_details(const Results& results) {
+std::size_t share_of_details(const Results& results, const RunCauses& causes) {
   std::size_t tests = 0;
   std::size_t size = 0;
   const TestSink measure = [&](const TestOutcome& outcome) {
     for (const std::string& suite : outcome.suite) size += size_in_xml(suite) + 1;
     size += kMarkup + size_in_xml(outcome.name) + size_in_xml(outcome.message) +
             size_in_xml(outcome.details);
+    if (outcome.cluster != nullptr) size += kProperties + size_in_xml(title_of(*outcome.cluster));
     if (outcome.result != nullptr && outcome.status >= TestStatus::failed) ++tests;
   };
-  Visit(results, 0, measure).all();
+  Visit(results, causes, 0, measure).all();
   return size < kMostBytes && tests > 0 ? (kMostBytes - size) / tests : 0;
 }
 
 }  // namespace
 
 void visit_outcomes(const Results& results, const TestSink& sink) {
-  Visit(results, share_of_details(results), sink).all();
+  const RunCauses causes(results);
+  Visit(results, causes, share_of_details(results, causes), sink).all();
 }
 
 double seconds_of(const TestOutcome& outcome, const Durations& durations) {

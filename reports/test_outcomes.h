@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "results/clusters.h"
 #include "results/durations.h"
 #include "results/results.h"
 
@@ -34,6 +35,9 @@ struct TestOutcome {
   const CaseResults* one = nullptr;  // of a renderer's answer
   const Result* result = nullptr;    // the same
   const RendererInfo* renderer = nullptr;  // the same
+  // What the run has as the cause of an unexpected answer's worst difference; null: nothing
+  // differs.
+  const Cluster* cluster = nullptr;
 };
 
 // Receives the outcomes suite by suite.

@@ -31,8 +31,7 @@ const Disagreement* leading(const Result& result) {
 std::string cause_of(const CaseResults& one, const Result& result, const Portrait& portrait,
                      std::span<const Cluster> clusters) {
   if (result.failure) return name_of(result.failure->kind);
-  const auto key = leading_key(one, result, portrait);
-  const Cluster* const cluster = key ? cluster_of(clusters, *key) : nullptr;
+  const Cluster* const cluster = told_by(one, result, portrait, clusters);
   return cluster != nullptr ? title_of(*cluster) : "";
 }
 

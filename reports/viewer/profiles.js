@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT The measured profiles of renderers, side by side: the choices that
-// differ between them, or from the policy `opengl`.
+// differ between them, or from the policy `opengl`; and what the answers of this run say of each rule.
 
 // "left-bottom; window: right-top": a choice, and other choices for single surfaces. A rule that a
 // profile does not name has its standard choice.
@@ -34,4 +34,31 @@ function profileTable() {
     h("tbody", {}, [...unlike, ...alike].map(([rule, texts]) => profileRow(rule, texts)))));
 }
 
+// What a renderer's answers say of a rule, surface by surface: the alternatives that remain. The
+// tooltip has how many answers speak for each.
+function answersCell(surfaces, rule) {
+  const told = Object.entries(surfaces || {}).flatMap(([surface, list]) =>
+    list.filter((answers) => answers.rule === rule).map((answers) => [surface, answers]));
+  return h("td", {}, told.map(([surface, answers]) => {
+    const counts = Object.entries(answers.for).sort(([, a], [, b]) => b - a);
+    const most = (counts[0]?.[1] || 0).toLocaleString("en");
+    return h("div", {title: counts.map(([name, count]) => name + ": " + count).join(", ")},
+      h("span.mono", {}, answers.remain), h("small", {}, " " + most + " of " +
+        answers.asked.toLocaleString("en") + ", " + surface));
+  }));
+}
+
+function answersTable() {
+  const told = Data.renderers.filter((info) => Data.answers[info.name]);
+  const asked = new Set(told.flatMap((info) =>
+    Object.values(Data.answers[info.name]).flat().map((answers) => answers.rule)));
+  return scrolled("What the answers say of each rule", h("table.matrix.profiles", {},
+    h("thead", {}, h("tr", {}, h("th", {scope: "col"}, "rule"),
+      told.map((info) => h("th", {scope: "col"}, info.name)))),
+    h("tbody", {}, Data.rules.filter(({id}) => asked.has(id)).map(({id}) => h("tr", {},
+      h("th", {scope: "row"}, ruleChip(id)),
+      told.map((info) => answersCell(Data.answers[info.name], id)))))));
+}
+
+const hasAnswers = () => Object.keys(Data.answers).length > 0;
 const hasProfiles = () => Data.renderers.some((info) => Object.keys(info.profile).length);

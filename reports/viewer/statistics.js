@@ -39,5 +39,6 @@ function summaryTable() {
 function statisticsView() {
   return h("main.overview.statistics-view", {}, pageHead("statistics"), summaryTable(), scenesSection(),
     fold("Rules by renderer", true, matrixTable), fold("Plots", false, plots),
+    hasAnswers() && fold("What the answers say of each rule", false, answersTable),
     hasProfiles() && fold("Profiles of the renderers", false, profileTable));
 }

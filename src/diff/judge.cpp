@@ -274,12 +274,14 @@ void RunReader::add(const Result& result) {
     if (!result.failure && !contains(result.illegal_line_snaps, name_of(snap)))
       ++legal_[name_of(snap)];
   read_alternatives(result, reading_);
+  rules_.add(result);
 }
 
 // Lines are read with the snap under which most cases are legal; of several, with the first in
 // catalogue order.
 RunReading RunReader::reading() const {
   RunReading reading = reading_;
+  reading.rules = rules_.answers();
   reading.line_snap.clear();
   std::size_t most = 0;
   for (const Snap snap : all_snaps()) {

@@ -23,9 +23,11 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "model/policy.h"
 #include "model/result.h"
+#include "rules/rule_answers.h"
 
 namespace edgecase {
 
@@ -41,6 +43,7 @@ struct RunReading {
   // GL_SUBPIXEL_BITS as the renderer reports them; 0: unknown. Of precisions that explain as much,
   // this one is taken.
   int subpixel_bits = 0;
+  std::vector<RuleAnswers> rules;  // what the answers say of each rule about which they were asked
 };
 
 // Reads all results of one renderer on one surface, which compare() has made, one after the other.
@@ -53,6 +56,7 @@ class RunReader {
  private:
   std::map<std::string, std::size_t> legal_;  // by snap: cases whose lines are legal under it
   RunReading reading_;
+  RuleAnswersGatherer rules_;
 };
 
 // The same of a list.

@@ -214,6 +214,12 @@ const Cluster* cluster_of(std::span<const Cluster> clusters, const ClusterKey& k
   return found == clusters.end() ? nullptr : &*found;
 }
 
+const Cluster* told_by(const CaseResults& one, const Result& result, const Portrait& portrait,
+                       std::span<const Cluster> clusters) {
+  const auto key = leading_key(one, result, portrait);
+  return key ? cluster_of(clusters, *key) : nullptr;
+}
+
 std::string title_of(const Cluster& cluster) {
   const std::string what =
       cluster.attribute.empty() ? cluster.kind : cluster.attribute + " within what is permitted";

@@ -84,6 +84,10 @@ std::optional<ClusterKey> leading_key(const CaseResults& one, const Result& resu
 // The cluster of differences with that key; null: none of these.
 const Cluster* cluster_of(std::span<const Cluster> clusters, const ClusterKey& key);
 
+// The cluster of the difference that an answer is told by; null: nothing differs.
+const Cluster* told_by(const CaseResults& one, const Result& result, const Portrait& portrait,
+                       std::span<const Cluster> clusters);
+
 // The clusters of the renderer at `renderer`: illegal ones first, then contested ones, then legal
 // ones. Within each, those that most cases share come first, then those of most differences; ties
 // go by the texts. The same results give the same clusters.

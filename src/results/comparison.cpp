@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
@@ -57,6 +58,26 @@ std::vector<FactChange> compare_claims(const RendererInfo& before, const Rendere
   for (const std::string& name : names)
     add_fact(name, value_of(before, name), value_of(after, name), facts);
   return facts;
+}
+
+// "triangle.fill-rule, fbo" -> the alternatives that the answers leave.
+std::map<std::string, std::string> remaining_in(const Results& results, const std::string& name) {
+  std::map<std::string, std::string> remaining;
+  const auto found = results.rules.find(name);
+  if (found == results.rules.end()) return remaining;
+  for (const auto& [surface, rules] : found->second)
+    for (const RuleAnswers& answers : rules)
+      remaining[fmt::format("{}, {}", name_of(answers.rule), surface)] = remaining_of(answers);
+  return remaining;
+}
+
+// Rules that both were asked about, and of which other alternatives remain.
+void compare_rules(const std::map<std::string, std::string>& before,
+                   const std::map<std::string, std::string>& after,
+                   std::vector<FactChange>& facts) {
+  for (const auto& [rule, remaining] : before)
+    if (const auto found = after.find(rule); found != after.end())
+      add_fact(rule, remaining, found->second, facts);
 }
 
 // Nothing if the two answers are the same.
@@ -154,6 +175,8 @@ RendererComparison compare_answers(const Results& before, std::size_t b, const R
   comparison.before = before.renderers[b].name;
   comparison.after = after.renderers[a].name;
   comparison.facts = compare_claims(before.renderers[b], after.renderers[a]);
+  compare_rules(remaining_in(before, comparison.before), remaining_in(after, comparison.after),
+                comparison.facts);
   Clusters clusters;
   for (const auto& [id, indices] : indices_by_id(before, after)) {
     CaseChange one{id, ChangeKind::changed, judgement_at(before, b, indices.first),

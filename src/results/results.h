@@ -21,6 +21,7 @@
 #include "model/storage.h"
 #include "results/case_list.h"
 #include "rules/portrait.h"
+#include "rules/rule_answers.h"
 
 namespace edgecase {
 
@@ -88,6 +89,8 @@ struct Results {
   std::vector<FaultSeen> faults;
   // Renderer, then surface: the alternatives that some of its answers refute.
   std::map<std::string, std::map<std::string, AlternativeSet>> refuted;
+  // Renderer, then surface: what its answers say of each rule about which they were asked.
+  std::map<std::string, std::map<std::string, std::vector<RuleAnswers>>> rules;
 };
 
 // True if the results hold every case of the suite.

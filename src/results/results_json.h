@@ -68,8 +68,9 @@
 //
 //   {"end": true, "cases": number of them, "interrupted", "left_out", "diagnostics": [...],
 //    "faults": [{"renderer", "id", "reason", "link", "cases", "state", "before"}], "summary",
-//    "portraits": {RENDERER: [sentence, ...]}, "refuted": {RENDERER: {SURFACE: bits}}, "clusters":
-//    {RENDERER: [...]}}
+//    "portraits": {RENDERER: [sentence, ...]}, "refuted": {RENDERER: {SURFACE: bits}}, "rules":
+//    {RENDERER: {SURFACE: [{"rule", "asked", "remain", "for": {ALTERNATIVE: answers}}]}},
+//    "clusters": {RENDERER: [...]}}
 //
 // "left_out", absent if it is 0, is the number of cases that are missing because the run ended
 // early. "faults" are the known faults as they occur in the run (FaultSeen); "before" is absent if

@@ -14,6 +14,7 @@
 #include "results/packed_text.h"
 #include "results/results_json.h"
 #include "results/shallow_json.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -68,6 +69,22 @@ Diagnostic to_diagnostic(const ReadJson& json) {
           json.at("remedy")};
 }
 
+RuleAnswers to_rule_answers(const ReadJson& json) {
+  const Rule* const rule = find_rule(json.at("rule").get<std::string>());
+  if (rule == nullptr || rule->alternatives.empty())
+    throw std::runtime_error("answers are counted for a rule that the catalogue does not have");
+  RuleAnswers answers{rule->id, WholeNumber(json.at("asked")), {}};
+  const ReadJson& counts = json.at("for");
+  for (const Alternative& alternative : rule->alternatives) {
+    std::size_t speaking = 0;
+    if (counts.contains(alternative.name)) speaking = WholeNumber(counts.at(alternative.name));
+    if (speaking > answers.asked)
+      throw std::runtime_error("more answers speak for an alternative than were asked");
+    answers.against.push_back(answers.asked - speaking);
+  }
+  return answers;
+}
+
 // What is known before the first case.
 void read_header(const ReadJson& json, Results& results) {
   const int format = WholeNumber(json.at("edgecase_results"));
@@ -101,10 +118,18 @@ void read_end(const ReadJson& json, Results& results) {
   if (json.contains("left_out")) results.left_out = WholeNumber(json.at("left_out"));
   results.diagnostics = to_list<Diagnostic>(json.at("diagnostics"), to_diagnostic);
   results.faults = to_list<FaultSeen>(json.at("faults"), to_fault);
-  if (!json.contains("refuted")) return;
-  for (const auto& [renderer, surfaces] : json.at("refuted").items())
-    for (const auto& [surface, text] : surfaces.items())
-      results.refuted[std::string(renderer)][std::string(surface)] = to_refuted(text);
+  const auto each_surface = [&](const char* member, const auto& read) {
+    if (!json.contains(member)) return;
+    for (const auto& [renderer, surfaces] : json.at(member).items())
+      for (const auto& [surface, value] : surfaces.items())
+        read(std::string(renderer), std::string(surface), value);
+  };
+  each_surface("refuted", [&](const auto& renderer, const auto& surface, const ReadJson& text) {
+    results.refuted[renderer][surface] = to_refuted(text);
+  });
+  each_surface("rules", [&](const auto& renderer, const auto& surface, const ReadJson& list) {
+    results.rules[renderer][surface] = to_list<RuleAnswers>(list, to_rule_answers);
+  });
 }
 
 // Lines that are about cases, to be parsed by a thread of their own.

@@ -225,6 +225,7 @@ Json end_json(const Results& results, Gatherers& gatherers) {
     for (const auto& [surface, refuted] : surfaces)
       if (const std::string text = text_of_refuted(refuted); !text.empty())
         json["refuted"][renderer][surface] = text;
+  if (!results.rules.empty()) json["rules"] = results.rules;
   json["clusters"] = clusters_json(results.renderers, gatherers);
   return json;
 }

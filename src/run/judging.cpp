@@ -37,10 +37,13 @@ void judge_those(Results& results, RunReadings readings, const Wanted& is_wanted
     std::erase_if(info.traits, [](const auto& trait) { return is_of_judging(trait.first); });
   for (const auto& [key, reading] : readings)
     results.renderers[key.first].traits[kReading + key.second] = reading.line_snap;
-  for (auto& [key, reading] : readings)
-    reading.subpixel_bits = results.renderers[key.first].subpixel_bits;
-  for (const auto& [key, reading] : readings)
-    results.refuted[results.renderers[key.first].name][key.second] = refuted_in(reading);
+  results.rules.clear();
+  for (auto& [key, reading] : readings) {
+    const RendererInfo& info = results.renderers[key.first];
+    reading.subpixel_bits = info.subpixel_bits;
+    results.refuted[info.name][key.second] = refuted_in(reading);
+    if (!reading.rules.empty()) results.rules[info.name][key.second] = std::move(reading.rules);
+  }
   for_each_index(results.cases.size(), [&](std::size_t i) {
     if (!is_wanted(results.cases.outline(i))) return;
     CaseResults one = results.cases[i];

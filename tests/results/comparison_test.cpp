@@ -108,6 +108,13 @@ TEST(Comparison, FactsAreToldAndCountForNothing) {
   after.renderers[0].traits["samples"] = "4";
   after.interrupted = true;
   after.left_out = 3;
+  const RuleId fill = rule_named("triangle.fill-rule");
+  RuleAnswers answers{fill, 9, std::vector<std::size_t>(rule_of(fill).alternatives.size(), 9)};
+  answers.against.at(alternative_id(fill, "open").index) = 0;
+  after.rules[after.renderers[0].name]["window"] = {answers};
+  before.rules[before.renderers[0].name]["fbo"] = {answers};
+  answers.against.at(alternative_id(fill, "closed").index) = 0;
+  after.rules[after.renderers[0].name]["fbo"] = {answers};
   const Comparison comparison = compared(before, after);
   EXPECT_FALSE(differs(comparison));
   std::vector<std::string> what;
@@ -116,7 +123,9 @@ TEST(Comparison, FactsAreToldAndCountForNothing) {
   EXPECT_THAT(comparison.facts[3].after, HasSubstr("3 cases missing"));
   what.clear();
   for (const FactChange& fact : comparison.renderers[0].facts) what.push_back(fact.what);
-  EXPECT_THAT(what, ElementsAre("version", "samples"));
+  EXPECT_THAT(what, ElementsAre("version", "samples", "triangle.fill-rule, fbo"));
+  EXPECT_EQ(comparison.renderers[0].facts[2].before, "open");
+  EXPECT_EQ(comparison.renderers[0].facts[2].after, "open or closed");
 }
 
 TEST(Comparison, MatchesRenderersByNameOrTheOnlyOnes) {

@@ -30,9 +30,9 @@ Results read(const std::string& text) {
 
 void expect_results(const Results& a, const Results& b) {
   EXPECT_EQ(std::tie(a.tool, a.policy, a.latitude, a.policy_digest, a.interrupted, a.left_out,
-                     a.whole_suite, a.shard, a.faults),
+                     a.whole_suite, a.shard, a.faults, a.refuted, a.rules),
             std::tie(b.tool, b.policy, b.latitude, b.policy_digest, b.interrupted, b.left_out,
-                     b.whole_suite, b.shard, b.faults));
+                     b.whole_suite, b.shard, b.faults, b.refuted, b.rules));
   ASSERT_EQ(a.renderers.size(), b.renderers.size());
   for (std::size_t i = 0; i < a.renderers.size(); ++i) {
     const auto &r = a.renderers[i], &s = b.renderers[i];

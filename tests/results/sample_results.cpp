@@ -169,6 +169,11 @@ Results full_results() {
   results.renderers = {
       {"osmesa:llvmpipe", "Mesa", "4.5", "llvmpipe", 8, {{"a", "b"}, {"c d", kHostile}}},
       {"exec:./a \"b\"", "", "", "", 4, {}}};
+  const RuleId fill = rule_named("triangle.fill-rule");
+  RuleAnswers answers{fill, 9, std::vector<std::size_t>(rule_of(fill).alternatives.size(), 9)};
+  answers.against.front() = 2;
+  results.rules["osmesa:llvmpipe"]["fbo"] = {answers};
+  results.refuted["osmesa:llvmpipe"]["fbo"].add(cause_named("line.snap=none").parts[0]);
   CaseResults one = full_case("lines/a");
   one.results = {full_result(), failed()};
   results.cases.push_back(one);
