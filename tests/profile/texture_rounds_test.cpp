@@ -93,13 +93,13 @@ const std::vector<PlantedRound> kRounds{
       {"mipmap.rounding", "half-up-by-rows"}},
      {}},
     {{{"texture.lod-bias", "half-a-level-more"},
-      {"texture.level-weight", "whole"},
       {"mipmap.filter", "bilinear-centre"},
       {"mipmap.rounding", "half-up"},
       {"mipmap.srgb", "codes"}},
      {}},
     // A single texel is rounded in no way, and its mean is the same in codes.
-    {{{"mipmap.filter", "nearest"}}, {"mipmap.rounding", "mipmap.srgb"}},
+    {{{"mipmap.filter", "nearest"}, {"texture.level-weight", "whole"}},
+     {"mipmap.rounding", "mipmap.srgb"}},
     {{{"mipmap.filter", "nearest"}, {"mipmap.srgb", "codes"}}, {"mipmap.rounding", "mipmap.srgb"}}};
 
 // The round's own rules and OpenGL's are found, all of them; but for those that it hides.
