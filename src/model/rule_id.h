@@ -25,6 +25,7 @@ enum class RuleId : std::uint8_t {
   line_snap,
   triangle_snap,
   point_offset,
+  point_clip,
   triangle_algorithm,
   point_row_order,
   line_row_order,
@@ -71,6 +72,7 @@ enum class RuleId : std::uint8_t {
   texture_derivatives,
   texture_nearest_level,
   texture_level_weight,
+  texture_level_limits,
   texture_crossover,
   texture_texel_grid,
   texture_lod_bias,
@@ -82,6 +84,7 @@ enum class RuleId : std::uint8_t {
   mipmap_srgb,
   framebuffer_unorm8,
   framebuffer_depth,
+  framebuffer_depth_bits,
   framebuffer_order,
 };
 template <>
@@ -99,6 +102,7 @@ inline constexpr auto kNames<RuleId> = std::to_array<Named<RuleId>>(
      {RuleId::line_snap, "line.snap"},
      {RuleId::triangle_snap, "triangle.snap"},
      {RuleId::point_offset, "point.offset"},
+     {RuleId::point_clip, "point.clip"},
      {RuleId::triangle_algorithm, "triangle.algorithm"},
      {RuleId::point_row_order, "point.row-order"},
      {RuleId::line_row_order, "line.row-order"},
@@ -145,6 +149,7 @@ inline constexpr auto kNames<RuleId> = std::to_array<Named<RuleId>>(
      {RuleId::texture_derivatives, "texture.derivatives"},
      {RuleId::texture_nearest_level, "texture.nearest-level"},
      {RuleId::texture_level_weight, "texture.level-weight"},
+     {RuleId::texture_level_limits, "texture.level-limits"},
      {RuleId::texture_crossover, "texture.crossover"},
      {RuleId::texture_texel_grid, "texture.texel-grid"},
      {RuleId::texture_lod_bias, "texture.lod-bias"},
@@ -156,6 +161,7 @@ inline constexpr auto kNames<RuleId> = std::to_array<Named<RuleId>>(
      {RuleId::mipmap_srgb, "mipmap.srgb"},
      {RuleId::framebuffer_unorm8, "framebuffer.unorm8"},
      {RuleId::framebuffer_depth, "framebuffer.depth"},
+     {RuleId::framebuffer_depth_bits, "framebuffer.depth-bits"},
      {RuleId::framebuffer_order, "framebuffer.order"}});
 
 }  // namespace edgecase

@@ -316,7 +316,7 @@ void FragmentStage::draw(const SampleFragment& fragment, const FragmentOperation
   if (!passes_tests(fragment, operations, sample)) return;
   if (target_.depth != DepthFormat::none && fragment.writes_depth &&
       stores_depth(operations.depth, choice_.depth_mask))
-    rendering_.depths[sample] = to_depth(fragment.depth, target_.depth);
+    rendering_.depths[sample] = to_depth(fragment.depth, target_.depth, choice_.depth_bits);
   write_color(fragment, operations, sample);
   ++rendering_.hits[sample];
 }
@@ -368,7 +368,8 @@ bool FragmentStage::is_first_of_draw(const FragmentOperations& operations,
 
 bool FragmentStage::passes_depth(double depth, const DepthTest& test, std::size_t sample) const {
   if (target_.depth == DepthFormat::none) return true;
-  return passes_depth_test(test, depth, rendering_.depths[sample], target_.depth, choice_.depth);
+  return passes_depth_test(test, depth, rendering_.depths[sample], target_.depth, choice_.depth,
+                           choice_.depth_bits);
 }
 
 void FragmentStage::write_color(const SampleFragment& fragment,

@@ -191,6 +191,11 @@ Pixels viewed_pixels(const ScenePrimitive& primitive, const Target& target, Cove
     view.within.y = Fixed::from_integer(1) - view.within.y;
     for (HomogeneousPoint& point : p) point = turned_over(point, target.height);
   }
+  if (primitive.kind == PrimitiveKind::point) {
+    if (choice.point_clip == PointClip::border_dropped && is_on_border(primitive)) return {};
+    if (choice.point_clip == PointClip::cut_at_viewport)
+      view.bounds = common_part(view.bounds, pixels_in(viewport));
+  }
   Pixels pixels = primitive.is_clipped ? clipped_pixels_of(primitive, p, viewport, view, choice)
                                        : snapped_pixels(primitive, p, view, choice);
   if (turned)

@@ -27,7 +27,8 @@ bool is_known(const TextureUse& use, const TextureChoice& choice) {
   const auto is_wrap_known = [](Wrap wrap) {
     return wrap == Wrap::repeat || wrap == Wrap::clamp_to_edge;
   };
-  return choice.texel_grid == TexelGrid::none && use.sampler.max_anisotropy == 1 &&
+  return choice.texel_grid == TexelGrid::none && choice.limits == LevelLimits::as_set &&
+         use.sampler.max_anisotropy == 1 &&
          std::all_of(use.sampler.wrap.begin(), use.sampler.wrap.end(), is_wrap_known);
 }
 

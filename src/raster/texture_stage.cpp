@@ -113,8 +113,9 @@ Texels sample(const DecodedTexture& decoded, const Texture& texture, const Sampl
                            latitude.texel};
   const PickedColors colors(decoded, lookup, at.point, latitude.decoding);
   Texels boxes;
-  for (const LevelPick& pick : pick_levels(is_nothing ? Interval(0) : at.lambda, sampler,
-                                           last_level_of(decoded, sampler, texture), rules))
+  const int last = last_level_of(decoded, limited(sampler, choice.limits), texture);
+  for (const LevelPick& pick :
+       pick_levels(is_nothing ? Interval(0) : at.lambda, sampler, last, rules))
     colors.collect(pick, boxes);
   if (latitude.decoding == SrgbDecoding::at_last)
     for (Texel& box : boxes) box = srgb_decoded(box);

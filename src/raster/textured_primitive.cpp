@@ -104,6 +104,7 @@ class TexturedPrimitive::Lookups {
   const TextureUse& use_;
   const Texture& texture_;
   const DecodedTexture& decoded_;
+  const Sampler limited_;    // with its limits as they are taken
   ExactCoordinates& known_;  // the stage's
   int number_;               // among the stage's primitives
   int last_;
@@ -123,9 +124,10 @@ TexturedPrimitive::Lookups::Lookups(const TextureStage& stage, const ScenePrimit
       use_(*primitive.state->texture),
       texture_(*stage.scene().textures.at(use_.texture)),
       decoded_(stage.decoded(use_.texture)),
+      limited_(limited(use_.sampler, choice_.limits)),
       known_(stage.coordinates()),
       number_(stage.next_number()),
-      last_(last_level_of(decoded_, use_.sampler, texture_)),
+      last_(last_level_of(decoded_, limited_, texture_)),
       axes_{TextureAxis(attributes.color[0], use_.sampler.wrap[0]),
             TextureAxis(attributes.color[1], use_.sampler.wrap[1])},
       given_(given_level()) {}
@@ -206,7 +208,7 @@ Interval TexturedPrimitive::Lookups::biased(Interval lambda_base, const Lookup& 
 
 Level TexturedPrimitive::Lookups::finished(Level level) const {
   const LevelRules rules{choice_.crossover, choice_.nearest_level, choice_.level_weight, false, 0};
-  level.lambda = clamped(level.lambda_prime, use_.sampler);
+  level.lambda = clamped(level.lambda_prime, limited_);
   level.accessed = accessed_level(level.lambda, use_.sampler, last_, rules);
   const LevelPicks picks = pick_levels(level.lambda, use_.sampler, last_, rules);
   level.borders = texel_borders(picks.at(0).filter, choice_.texel_grid, texture_.format);

@@ -179,6 +179,9 @@ bool has_depth_test(const Scene& scene) {
            return draw.operations.depth.function != CompareFunction::always;
          });
 }
+bool has_depth_codes(const Scene& scene) {
+  return bits_of(scene.target.depth) > 0;
+}
 bool masks_depths(const Scene& scene) {
   return scene.target.depth != DepthFormat::none &&
          any_draw(scene, [](const Draw& draw) { return !draw.operations.depth.write; });
@@ -229,6 +232,7 @@ std::vector<Rule> table_of_contents() {
       fragment_once_rule(),
       with(point_ownership_rule(), of_points<&C::ties>(), {is_point}),
       with(point_offset_rule(), of_all_kinds<&C::point_offset>(), {is_point}),
+      with(point_clip_rule(), of_all_kinds<&C::point_clip>(), {is_point}),
       with(diamond_exit_rule(), of_all_kinds<&C::line, &LineChoice::boundary>(), {is_diamond_line}),
       interior_gap_rule(),
       line_joint_rule(),
@@ -292,6 +296,7 @@ std::vector<Rule> table_of_contents() {
       with(crossover_rule(), of_textures<&T::crossover>(), kInLookups),
       with(nearest_level_rule(), of_textures<&T::nearest_level>(), kInLookups),
       with(level_weight_rule(), of_textures<&T::level_weight>(), kInLookups),
+      with(level_limits_rule(), of_textures<&T::limits>(), kInLookups, 20),
       with(anisotropy_rule(), of_textures<&T::anisotropy>(), kInLookups),
       with(level_count_rule(), of_textures<&T::level_count>()),
       with(mipmap_filter_rule(), of_textures<&T::mipmap, &MipmapMethod::filter>()),
@@ -307,6 +312,7 @@ std::vector<Rule> table_of_contents() {
            41),
       unorm8_rule(),
       depth_buffer_rule(),
+      with(depth_bits_rule(), of_output<&O::depth_bits>(), {nullptr, has_depth_codes}, 18),
       order_rule(),
   };
 }

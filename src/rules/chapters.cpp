@@ -31,7 +31,7 @@ std::span<const Chapter> chapters() {
        "A point is a square; a rule says who owns its border.",
        {{"The square around a vertex",
          "coverage/point_ownership",
-         {RuleId::point_ownership, RuleId::point_offset}}}},
+         {RuleId::point_ownership, RuleId::point_offset, RuleId::point_clip}}}},
       {"lines",
        "Lines",
        "A line of width 1 has no area; diamonds say which pixels it draws.",
@@ -87,7 +87,8 @@ std::span<const Chapter> chapters() {
         {"The logarithm", "textures/level_of_detail", {RuleId::texture_log2}},
         {"Filters and levels",
          "textures/level_selection",
-         {RuleId::texture_crossover, RuleId::texture_nearest_level, RuleId::texture_level_weight}},
+         {RuleId::texture_crossover, RuleId::texture_nearest_level, RuleId::texture_level_weight,
+          RuleId::texture_level_limits}},
         {"Texels of a level",
          "textures/texel_filter",
          {RuleId::texture_filter, RuleId::texture_texel_grid}},
@@ -109,7 +110,7 @@ std::span<const Chapter> chapters() {
          "output/blending",
          {RuleId::blend_equation, RuleId::blend_rounding, RuleId::color_mask}},
         {"Pixels", "values/framebuffer", {RuleId::framebuffer_unorm8, RuleId::framebuffer_order}},
-        {"The depth buffer", "values/framebuffer", {RuleId::framebuffer_depth}}}},
+        {"The depth buffer", "values/framebuffer", {RuleId::framebuffer_depth, RuleId::framebuffer_depth_bits}}}},
   };
   return all;
 }

@@ -35,6 +35,7 @@
 #include "rules/textures/texture_image.h"
 #include "rules/values/attributes.h"
 #include "rules/values/derivative.h"
+#include "rules/values/framebuffer.h"
 #include "rules/values/interpolation.h"
 
 namespace edgecase {
@@ -48,6 +49,7 @@ struct CoverageChoice {
   TieRule ties;     // of a point's square, a triangle's edges, a line drawn as an area
   LineChoice line;  // for lines only
   PointOffset point_offset = PointOffset::none;                              // for points only
+  PointClip point_clip = PointClip::as_set;                                  // for points only
   TriangleAlgorithm triangle_algorithm = TriangleAlgorithm::edge_functions;  // for triangles only
   FacingMethod facing = FacingMethod::as_set;                                // for triangles only
   ClipMethod clip = ClipMethod::homogeneous;                                 // for triangles only
@@ -84,6 +86,7 @@ struct TextureChoice {
   Crossover crossover = Crossover::zero;
   NearestLevel nearest_level = NearestLevel::down_at_ties;
   LevelWeight level_weight = LevelWeight::exact;
+  LevelLimits limits = LevelLimits::as_set;
   Anisotropy anisotropy = Anisotropy::extension;
   LevelCount level_count = LevelCount::larger_side;
   MipmapMethod mipmap;  // for generated chains
@@ -103,6 +106,7 @@ struct SampleChoice {
 struct OutputChoice {
   DepthTestMethod depth = DepthTestMethod::as_set;
   DepthMaskMethod depth_mask = DepthMaskMethod::as_set;
+  DepthBits depth_bits = DepthBits::as_set;
   StencilMethod stencil = StencilMethod::as_set;
   BlendChoice blend;
 };

@@ -179,6 +179,26 @@ TEST(Policies, SayWhereAPointLies) {
   EXPECT_EQ(covered(point, target_of(8, 8), policy), (Pixels{{3, 2}}));
 }
 
+TEST(Policies, SayWhatClipsAPoint) {
+  Draw point = draw_of(Primitive::points, {at(0, 3.5), at(4.5, 3.5)});
+  point.point_size = Fixed::from_integer(3);
+  const auto drawn = [&](const char* alternative) {
+    Scene scene;
+    scene.target = target_of(8, 8);
+    scene.viewport = Viewport{0, 0, 5, 8};
+    scene.draws = {point};
+    Policy policy;
+    policy.rules = {{"point.clip", alternative}};
+    std::set<int> columns;
+    for (const Fragment& fragment : rasterize(scene, policy).fragments) columns.insert(fragment.x);
+    return columns;
+  };
+  // The first vertex lies on the viewport's left side, the second half a pixel within its right.
+  EXPECT_EQ(drawn("as-set"), (std::set{0, 1, 3, 4, 5}));
+  EXPECT_EQ(drawn("border-dropped"), (std::set{3, 4, 5}));
+  EXPECT_EQ(drawn("cut-at-viewport"), (std::set{0, 1, 3, 4}));
+}
+
 TEST(Policies, SayWhichVertexProvokesAndHowLinesAreShaded) {
   Scene scene;
   scene.target = target_of(8, 8);

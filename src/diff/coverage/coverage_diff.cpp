@@ -197,6 +197,8 @@ std::string notes_on(const ScenePrimitive& primitive, const Target& target,
     add(RuleId::triangle_algorithm, name_of(choice.triangle_algorithm));
   if (primitive.kind == PrimitiveKind::point && choice.point_offset != PointOffset::none)
     add(RuleId::point_offset, name_of(choice.point_offset));
+  if (primitive.kind == PrimitiveKind::point && choice.point_clip != PointClip::as_set)
+    add(RuleId::point_clip, name_of(choice.point_clip));
   if (primitive.is_clipped && choice.clip != ClipMethod::homogeneous)
     add(RuleId::clip_volume, name_of(choice.clip));
   if (choice.rows != RowOrder::bottom_up)

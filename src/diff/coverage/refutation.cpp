@@ -241,6 +241,8 @@ struct PlainShape {
   Fixed line_width;
   Fixed point_size;
   std::optional<Viewport> scissor;
+  std::optional<Viewport> viewport;  // of points
+  bool is_on_border;
   FrontFace front_face;
   CullMode cull;
   int width;
@@ -252,9 +254,22 @@ struct PlainShape {
 std::optional<PlainShape> plain_shape(const ScenePrimitive& primitive, const Target& target) {
   if (target.samples > 1 || primitive.is_clipped || has_clip_positions(primitive)) return {};
   const Draw& draw = *primitive.state;
-  return PlainShape{primitive.positions, draw.line_width, draw.point_size,
-                    draw.scissor,        draw.front_face, draw.cull,
-                    target.width,        target.height,   target.surface};
+  PlainShape shape{primitive.positions,
+                   draw.line_width,
+                   draw.point_size,
+                   draw.scissor,
+                   {},
+                   false,
+                   draw.front_face,
+                   draw.cull,
+                   target.width,
+                   target.height,
+                   target.surface};
+  if (primitive.kind == PrimitiveKind::point) {
+    shape.viewport = primitive.viewport;
+    shape.is_on_border = is_on_border(primitive);
+  }
+  return shape;
 }
 
 // Whether each of a list of changes draws a shape as exact does; unknown until it is asked.

@@ -165,9 +165,10 @@ Replay::Outcomes Replay::depth_outcomes(const SampleState& state, const Arrival&
                                                            state.permitted_depth, target_.depth);
     return {may_pass, may_fail};
   }
-  if (freedom_.depth_test == OutcomeScope::exact || output_.depth != DepthTestMethod::as_set) {
-    const bool passes =
-        passes_depth_test(test, arrival.depth, state.depth, target_.depth, output_.depth);
+  if (freedom_.depth_test == OutcomeScope::exact || output_.depth != DepthTestMethod::as_set ||
+      output_.depth_bits != DepthBits::as_set) {
+    const bool passes = passes_depth_test(test, arrival.depth, state.depth, target_.depth,
+                                          output_.depth, output_.depth_bits);
     return {passes, !passes};
   }
   const bool same = arrival.reported_depth && arrival.reported_depth == state.source;
@@ -206,9 +207,12 @@ SampleState Replay::written(SampleState state, const Arrival& arrival) const {
   state.blended = operations.blending || (state.blended && !all);
   if (target_.depth != DepthFormat::none && arrival.writes_depth &&
       stores_depth(operations.depth, output_.depth_mask)) {
-    state.depth = to_depth(arrival.depth, target_.depth);
+    state.depth = to_depth(arrival.depth, target_.depth, output_.depth_bits);
+    // Of fewer bits, only their own value is known to be possible.
     if (tracked_ == Tracked::permitted)
-      state.permitted_depth = depth_permitted(arrival.permitted_depth, target_.depth);
+      state.permitted_depth = output_.depth_bits == DepthBits::as_set
+                                  ? depth_permitted(arrival.permitted_depth, target_.depth)
+                                  : Interval(state.depth);
     state.source = arrival.reported_depth;
   }
   ++state.hits;

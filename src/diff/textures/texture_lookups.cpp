@@ -179,12 +179,11 @@ TextureLookups::Gradients TextureLookups::lookup_gradients(const Fragment& fragm
 
 // One box; for a nearest level, which is a whole number, one for each level that lambda' permits.
 Boxes TextureLookups::level_boxes(const Fragment& fragment, Interval lambda_prime,
-                                  const LevelRules& rules) const {
-  const TextureUse& use = use_of(fragment);
-  const int last = draw_of(fragment).last;
-  const Interval accessed =
-      accessed_level(clamped(lambda_prime, use.sampler), use.sampler, last, rules);
-  if (use.sampler.mipmap != MipFilter::nearest) return {Box{accessed, lambda_prime}};
+                                  const LevelRules& rules, LevelLimits limits) const {
+  const Sampler sampler = limited(use_of(fragment).sampler, limits);
+  const int last = last_level_of(*draw_of(fragment).decoded, sampler, texture_of(fragment));
+  const Interval accessed = accessed_level(clamped(lambda_prime, sampler), sampler, last, rules);
+  if (sampler.mipmap != MipFilter::nearest) return {Box{accessed, lambda_prime}};
   Boxes boxes;
   for (double level = accessed.low; level <= accessed.high; ++level)
     boxes.push_back(Box{level, lambda_prime});
@@ -197,7 +196,7 @@ Boxes TextureLookups::levels(const Fragment& fragment, const TextureChoice& choi
                               sampler.max_anisotropy, choice.anisotropy, choice.scale_factor);
   return level_boxes(
       fragment, with_bias(logarithm_of(row.scale_factor, choice.log2), sampler, {}, choice.bias),
-      rules_of(choice));
+      rules_of(choice), choice.limits);
 }
 
 bool TextureLookups::is_definite(const Fragment& fragment, const TextureChoice& choice,
@@ -276,7 +275,8 @@ Interval TextureLookups::lookup_lambda(const Fragment& fragment, Interval scale,
   const Interval base = use.lookup.kind == LookupKind::lod
                             ? Interval(static_cast<double>(use.lookup.value))
                             : logarithm_of(scale, choice.log2);
-  return clamped(with_bias(base, use.sampler, use.lookup, choice.bias), use.sampler);
+  return clamped(with_bias(base, use.sampler, use.lookup, choice.bias),
+                 limited(use.sampler, choice.limits));
 }
 
 // The permitted lambda. If the renderer reports the level of such a lookup, the lookup uses that
@@ -343,7 +343,7 @@ Texels TextureLookups::colors_at_reported_level(const Fragment& fragment,
   const TextureUse& use = use_of(fragment);
   return sample(*draw_of(fragment).decoded, texture_of(fragment), use.sampler, choice,
                 {point_of(fragment, context_.values_of(fragment).chosen, kFloat32),
-                 clamped(*reported_lambda(fragment), use.sampler)});
+                 clamped(*reported_lambda(fragment), limited(use.sampler, choice.limits))});
 }
 
 Texels TextureLookups::probed_colors(const Fragment& fragment, const TextureChoice& choice) {

@@ -172,7 +172,8 @@ class TextureLookups {
   int last_accessible(const Fragment& fragment) const;
   Texel accessible_texels(const Fragment& fragment) const;
   std::optional<Interval> reported_lambda(const Fragment& fragment) const;
-  Boxes level_boxes(const Fragment& fragment, Interval lambda_prime, const LevelRules& rules) const;
+  Boxes level_boxes(const Fragment& fragment, Interval lambda_prime, const LevelRules& rules,
+                    LevelLimits limits = LevelLimits::as_set) const;
   Texels colors_at_reported_level(const Fragment& fragment, const TextureChoice& choice) const;
   Texels probed_colors(const Fragment& fragment, const TextureChoice& choice);
   Texel weighted_probes(const Fragment& fragment, const TextureChoice& choice,

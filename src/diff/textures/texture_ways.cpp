@@ -297,6 +297,13 @@ bool shows_bias(BiasChoice bias, const LookupKinship& kin) {
   return true;
 }
 
+bool shows_limits(LevelLimits limits, const LookupKinship& kin) {
+  const Sampler& sampler = kin.use->sampler;
+  const Sampler meant = limited(sampler, limits);
+  if (limits == LevelLimits::max_level_as_max_lod && sampler.base_level == 0) return false;
+  return meant != sampler;
+}
+
 // Removes the choices by which a footprint determines a level.
 void drop_scale(TextureChoice& choice) {
   choice.scale_factor = kPlain.scale_factor;
@@ -309,6 +316,7 @@ void drop_level(TextureChoice& choice) {
   choice.crossover = kPlain.crossover;
   choice.nearest_level = kPlain.nearest_level;
   choice.level_weight = kPlain.level_weight;
+  choice.limits = kPlain.limits;
 }
 
 void drop_texels(TextureChoice& choice) {
@@ -335,6 +343,7 @@ TextureChoice relevant_part(const TextureChoice& given, const LookupKinship& kin
   if (!shows_grid(choice.texel_grid, kin)) choice.texel_grid = kPlain.texel_grid;
   if (!has_disputed_crossover(sampler)) choice.crossover = kPlain.crossover;
   if (!shows_bias(choice.bias, kin)) choice.bias = kPlain.bias;
+  if (!shows_limits(choice.limits, kin)) choice.limits = kPlain.limits;
   if (sampler.mipmap != MipFilter::nearest) choice.nearest_level = kPlain.nearest_level;
   if (sampler.mipmap != MipFilter::linear) choice.level_weight = kPlain.level_weight;
   if (!(sampler.max_anisotropy > 1) || asked == LookupKind::lod)

@@ -202,8 +202,8 @@ class DepthComparison {
     }
   }
 
-  // Other locations of depths, or other behaviour without GL_MULTISAMPLE, that yield what is
-  // stored.
+  // Other locations of depths, other behaviour without GL_MULTISAMPLE, or other bits, that yield
+  // what is stored.
   std::vector<Cause> causes_of(const Miss& miss) const {
     std::vector<Cause> causes;
     if (miss.writer != nullptr &&
@@ -216,6 +216,11 @@ class DepthComparison {
           causes.push_back(change.id);
     for (const MultisampleSwitch choice : switches_beside(context_, miss.fragments))
       add_causes_of_switch(miss, choice, causes);
+    const double depth = truth_of(context_, miss.writer, miss.sample).depth;
+    for (const Change& change : changes_beside(RuleId::framebuffer_depth_bits, context_.choices))
+      if (miss.stored ==
+          to_depth(depth, format_, change.applied_to(context_.choices).output.depth_bits))
+        causes.push_back(change.id);
     return causes;
   }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <vector>
 
@@ -35,6 +36,29 @@ Rule point_offset_rule() {
   rule.standard = "none";
   rule.alternatives = alternatives_of<PointOffset>();
   return rule;
+}
+
+Rule point_clip_rule() {
+  Rule rule;
+  rule.id = RuleId::point_clip;
+  rule.title = "A point is clipped by its vertex alone";
+  rule.spec = "13.7 (primitive clipping)";
+  rule.latitude = "none; ruling 6 judges the result";
+  rule.standard = "as-set";
+  rule.alternatives = alternatives_of<PointClip>();
+  return rule;
+}
+
+bool is_on_border(const ScenePrimitive& point) {
+  const Vertex& vertex = *point.vertices[0];
+  if (const auto& clip = vertex.clip)
+    return std::max({std::fabs(clip->x), std::fabs(clip->y), std::fabs(clip->z)}) == clip->w;
+  const Viewport& v = point.viewport;
+  const auto is_end = [](Fixed at, int first, int length) {
+    return at == Fixed::from_integer(first) || at == Fixed::from_integer(first + length);
+  };
+  return is_end(vertex.position.x, v.x, v.width) || is_end(vertex.position.y, v.y, v.height) ||
+         std::abs(vertex.z.raw()) == Fixed::kOne;
 }
 
 std::span<const TieRule> point_tie_rules() {

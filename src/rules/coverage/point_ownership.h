@@ -13,6 +13,7 @@
 #include <span>
 
 #include "exact/homogeneous.h"
+#include "model/scene.h"
 #include "rules/coverage/tie_rule.h"
 #include "rules/rule.h"
 
@@ -20,6 +21,7 @@ namespace edgecase {
 
 Rule point_ownership_rule();
 Rule point_offset_rule();
+Rule point_clip_rule();
 
 // The offset of a point's square. Mesa's drivers without points of their own draw two triangles an
 // eighth of a pixel off.
@@ -29,6 +31,19 @@ inline constexpr auto kNames<PointOffset> = std::to_array<TabledAlternative<Poin
     {{PointOffset::none, "none", Openness::mandated, "the vertex is the centre of the square"},
      {PointOffset::right_down, "right-down", Openness::illegal,
       "the square lies 1/8 pixel to the right and below"}});
+// What clips a point: its vertex alone, against the clip volume with its border.
+enum class PointClip { as_set, border_dropped, cut_at_viewport };
+template <>
+inline constexpr auto kNames<PointClip> = std::to_array<TabledAlternative<PointClip>>(
+    {{PointClip::as_set, "as-set", Openness::mandated,
+      "a point is drawn whole if its vertex lies in the clip volume or on its border"},
+     {PointClip::border_dropped, "border-dropped", Openness::illegal,
+      "a vertex on the border of the clip volume counts as outside"},
+     {PointClip::cut_at_viewport, "cut-at-viewport", Openness::illegal,
+      "what of the square lies beyond the viewport is not drawn"}});
+// True if the vertex of a point lies on the border of the clip volume.
+bool is_on_border(const ScenePrimitive& point);
+
 // The vertex moved by an offset.
 Point moved(Point vertex, PointOffset offset);
 

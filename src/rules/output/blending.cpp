@@ -60,8 +60,8 @@ class ExactlyBlended {
             source, destination, constant, [](double value) { return Interval(value); },
             [](int code) { return Interval(code) / 255; })) {}
 
-  std::uint8_t code(const BlendTerm& term, std::size_t component, bool weighs_extremes) const {
-    const Interval result = blended(term, narrow_, component, weighs_extremes) * 255;
+  std::uint8_t code(const BlendTerm& term, std::size_t component, BlendMethod method) const {
+    const Interval result = blended(term, narrow_, component, method) * 255;
     const double low = std::nearbyint(std::clamp(result.low, 0.0, 255.0));
     const double high = std::nearbyint(std::clamp(result.high, 0.0, 255.0));
     if (low == high) return static_cast<std::uint8_t>(low);
@@ -70,7 +70,7 @@ class ExactlyBlended {
         operands_of<Rational>(
             source_, destination_, constant_, [](double value) { return rational_of(value); },
             [](int code) { return Rational(code, 255); }),
-        component, weighs_extremes));
+        component, method));
   }
 
  private:
@@ -180,6 +180,7 @@ Blending blending_by(Blending blending, BlendMethod method) {
     case BlendMethod::as_set:
     case BlendMethod::ignored:
     case BlendMethod::factors_in_min_and_max:
+    case BlendMethod::differences_wrapped:
       break;
     case BlendMethod::source_alpha_in_min_and_max:
       weigh_by_source_alpha(blending.color, BlendFactor::src_alpha);
@@ -200,11 +201,6 @@ Blending blending_by(Blending blending, BlendMethod method) {
       break;
   }
   return blending;
-}
-
-bool weighs_extremes(BlendMethod method) {
-  return method == BlendMethod::factors_in_min_and_max ||
-         method == BlendMethod::source_alpha_in_min_and_max;
 }
 
 BlendTerm term_of(const Blending& blending, std::size_t component, BlendMethod method) {
@@ -233,7 +229,6 @@ std::uint8_t clamped_code(Number result) {
 
 Rgba8 blended_codes(const Blending& blending, const std::array<double, 4>& source,
                     const Rgba8& destination, const BlendChoice& choice) {
-  const bool weighs = weighs_extremes(choice.method);
   // Operands are made once for all components.
   const auto each = [&](const auto& code) {
     Rgba8 codes{};
@@ -245,16 +240,17 @@ Rgba8 blended_codes(const Blending& blending, const std::array<double, 4>& sourc
     const auto operands = rounded_operands<Number>(source, destination, blending.constant);
     return each([&](const BlendTerm& term, std::size_t i) {
       if constexpr (std::is_same_v<Number, int>)
-        return static_cast<std::uint8_t>(code_of_square(blended(term, operands, i, weighs)));
+        return static_cast<std::uint8_t>(code_of_square(blended(term, operands, i, choice.method)));
       else
-        return clamped_code(blended(term, operands, i, weighs));
+        return clamped_code(blended(term, operands, i, choice.method));
     });
   };
   switch (choice.rounding) {
     case BlendRounding::once: {
       const ExactlyBlended exactly(source, destination, blending.constant);
-      return each(
-          [&](const BlendTerm& term, std::size_t i) { return exactly.code(term, i, weighs); });
+      return each([&](const BlendTerm& term, std::size_t i) {
+        return exactly.code(term, i, choice.method);
+      });
     }
     case BlendRounding::source_first:
       return by_codes(int{});
@@ -303,7 +299,7 @@ Rgba8Range permitted_color(const FragmentOperations& operations,
       continue;
     }
     const BlendTerm term = term_of(*operations.blending, i, method);
-    const CodeRange range = blended(term, operands, i, weighs_extremes(method));
+    const CodeRange range = blended(term, operands, i, method);
     result[i] = {std::clamp(range.low, 0, kLargest), std::clamp(range.high, 0, kLargest)};
   }
   return result;

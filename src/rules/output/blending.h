@@ -38,6 +38,7 @@ enum class BlendMethod {
   // by its own alpha.
   factors_in_min_and_max,
   source_alpha_in_min_and_max,
+  differences_wrapped,  // a difference below 0 is 1 more, not 0
 };
 template <>
 inline constexpr auto kNames<BlendMethod> = std::to_array<TabledAlternative<BlendMethod>>(
@@ -56,7 +57,9 @@ inline constexpr auto kNames<BlendMethod> = std::to_array<TabledAlternative<Blen
      {BlendMethod::factors_in_min_and_max, "factors-in-min-and-max", Openness::illegal,
       "min and max compare the products by the factors, which they must ignore"},
      {BlendMethod::source_alpha_in_min_and_max, "source-alpha-in-min-and-max", Openness::illegal,
-      "min and max multiply the source's colour by its alpha first"}});
+      "min and max multiply the source's colour by its alpha first"},
+     {BlendMethod::differences_wrapped, "differences-wrapped", Openness::illegal,
+      "a difference below 0 wraps round to the other end of the range instead of being clamped"}});
 
 // Where a result is rounded on its way to 8 bits. More are added as renderers are found to use
 // them.
@@ -186,11 +189,29 @@ Number factor_of(BlendFactor factor, const BlendOperands<Number>& of, std::size_
   return of.one;
 }
 
-// A component of the result, before clamping. `weighs_extremes`: min and max compare products, as
-// the alternatives do that apply factors there.
+// True if min and max compare products, as the alternatives do that apply factors there.
+constexpr bool weighs_extremes(BlendMethod method) {
+  return method == BlendMethod::factors_in_min_and_max ||
+         method == BlendMethod::source_alpha_in_min_and_max;
+}
+
+// A difference; below 0 one more, if it is wrapped round.
+template <class Number>
+Number difference(const Number& a, const Number& b, const Number& one, BlendMethod method) {
+  const Number result = a - b;
+  if (method != BlendMethod::differences_wrapped) return result;
+  if constexpr (IsRange<Number>) {
+    if (result.low >= 0) return result;
+    return result.high < 0 ? result + one : Number{0, one.high};
+  } else {
+    return result < one - one ? Number{result + one} : result;
+  }
+}
+
+// A component of the result, before clamping.
 template <class Number>
 Number blended(const BlendTerm& term, const BlendOperands<Number>& of, std::size_t component,
-               bool weighs_extremes = false) {
+               BlendMethod method = BlendMethod::as_set) {
   const auto source = [&]() -> Number {
     return of.source[component] * factor_of(term.source, of, component);
   };
@@ -201,14 +222,14 @@ Number blended(const BlendTerm& term, const BlendOperands<Number>& of, std::size
     case BlendEquation::add:
       return source() + destination();
     case BlendEquation::subtract:
-      return source() - destination();
+      return difference<Number>(source(), destination(), of.one * of.one, method);
     case BlendEquation::reverse_subtract:
-      return destination() - source();
+      return difference<Number>(destination(), source(), of.one * of.one, method);
     case BlendEquation::min:
-      if (weighs_extremes) return lesser<Number>(source(), destination());
+      if (weighs_extremes(method)) return lesser<Number>(source(), destination());
       return lesser<Number>(of.source[component], of.destination[component]) * of.one;
     case BlendEquation::max:
-      if (weighs_extremes) return greater<Number>(source(), destination());
+      if (weighs_extremes(method)) return greater<Number>(source(), destination());
       return greater<Number>(of.source[component], of.destination[component]) * of.one;
   }
   return source();

@@ -111,9 +111,10 @@ TestOutcomes outcomes_of(CompareFunction function, Comparisons may_be) {
 }  // namespace
 
 bool passes_depth_test(const DepthTest& test, double depth, double stored, DepthFormat format,
-                       DepthTestMethod method) {
+                       DepthTestMethod method, DepthBits bits) {
   if (format == DepthFormat::none || method == DepthTestMethod::ignored) return true;
-  const double compared = method == DepthTestMethod::unconverted ? depth : to_depth(depth, format);
+  const double compared =
+      method == DepthTestMethod::unconverted ? depth : to_depth(depth, format, bits);
   return holds(function_by(test.function, method), compared < stored, compared == stored);
 }
 

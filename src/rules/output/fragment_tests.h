@@ -11,6 +11,7 @@
 #include "model/fragment_operations.h"
 #include "model/scene.h"
 #include "rules/rule.h"
+#include "rules/values/framebuffer.h"
 
 namespace edgecase {
 
@@ -119,7 +120,7 @@ inline bool stores_depth(const DepthTest& test, DepthMaskMethod method) {
 // True if a fragment passes. `depth`: 0 to 1, before conversion; `stored`: a value of the format.
 // Always true without a depth buffer.
 bool passes_depth_test(const DepthTest& test, double depth, double stored, DepthFormat format,
-                       DepthTestMethod method);
+                       DepthTestMethod method, DepthBits bits = DepthBits::as_set);
 
 // The possible outcomes of a test; at least one.
 struct TestOutcomes {

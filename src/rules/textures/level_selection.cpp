@@ -157,6 +157,25 @@ int last_level(const Sampler& sampler, const Texture& texture) {
   return std::max(std::min(end_of_chain, sampler.max_level), sampler.base_level);
 }
 
+Sampler limited(Sampler sampler, LevelLimits limits) {
+  constexpr int kLastOfAnyChain = 1000;  // OpenGL's own max_level
+  switch (limits) {
+    case LevelLimits::as_set:
+      break;
+    case LevelLimits::max_level_as_max_lod:
+      sampler.max_lod = std::min(sampler.max_lod, static_cast<float>(sampler.max_level));
+      sampler.max_level = kLastOfAnyChain;
+      break;
+    case LevelLimits::max_lod_from_level_0:
+      sampler.max_lod -= static_cast<float>(sampler.base_level);
+      break;
+    case LevelLimits::max_level_ignored:
+      sampler.max_level = kLastOfAnyChain;
+      break;
+  }
+  return sampler;
+}
+
 LevelPicks pick_levels(Interval lambda, const Sampler& sampler, int last, const LevelRules& rules) {
   lambda = known(lambda);
   const double crossover = crossover_of(sampler, rules.crossover);
@@ -211,6 +230,17 @@ Rule nearest_level_rule() {
        "crossover between magnification and minification, either is permitted, each by itself: "
        "the least error of a logarithm decides. The formulas take the larger image, and "
        "magnify."}};
+  return rule;
+}
+
+Rule level_limits_rule() {
+  Rule rule;
+  rule.id = RuleId::texture_level_limits;
+  rule.title = "base_level and max_level limit levels; min_lod and max_lod limit levels of detail";
+  rule.spec = "8.14.1 (equation 8.9) and 8.14.3 (the level q)";
+  rule.latitude = "none";
+  rule.standard = "as-set";
+  rule.alternatives = alternatives_of<LevelLimits>();
   return rule;
 }
 

@@ -38,6 +38,7 @@ namespace edgecase {
 Rule crossover_rule();      // texture.crossover
 Rule nearest_level_rule();  // texture.nearest-level
 Rule level_weight_rule();   // texture.level-weight
+Rule level_limits_rule();   // texture.level-limits
 
 enum class Crossover {
   zero,        // c = 0 whatever the filters
@@ -98,6 +99,27 @@ inline constexpr auto kNames<LevelWeight> = std::to_array<TabledAlternative<Leve
       "levels"},
      {LevelWeight::narrow, "narrow", Openness::illegal,
       "0 for fractions up to 7/16, 1 from 9/16 on, linear between them"}});
+
+// What a sampler's limits of levels, and of levels of detail, are taken for. They differ where the
+// base level is not 0, or the chain goes on beyond max_level.
+enum class LevelLimits {
+  as_set,
+  max_level_as_max_lod,  // the level of detail is at most max_level; the chain goes on
+  max_lod_from_level_0,  // max_lod counts from level 0 instead of the base level
+  max_level_ignored,     // the chain goes on
+};
+template <>
+inline constexpr auto kNames<LevelLimits> = std::to_array<TabledAlternative<LevelLimits>>(
+    {{LevelLimits::as_set, "as-set", Openness::mandated,
+      "levels count from level 0, levels of detail from the base level"},
+     {LevelLimits::max_level_as_max_lod, "max-level-as-max-lod", Openness::illegal,
+      "max_level limits the level of detail, counted from the base level, and not the levels"},
+     {LevelLimits::max_lod_from_level_0, "max-lod-from-level-0", Openness::illegal,
+      "max_lod counts from level 0 instead of the base level"},
+     {LevelLimits::max_level_ignored, "max-level-ignored", Openness::illegal,
+      "levels beyond max_level are read, too"}});
+// The sampler whose limits, as set, have that effect.
+Sampler limited(Sampler sampler, LevelLimits limits);
 
 // A way to make a colour: one level under a filter, or two levels, the second by its weight.
 struct LevelPick {

@@ -89,12 +89,29 @@ int bits_of(DepthFormat format) {
   return 0;
 }
 
-double to_depth(double depth, DepthFormat format) {
+double to_depth(double depth, DepthFormat format, DepthBits bits) {
   if (std::isnan(depth)) return 0;
   const double clamped = std::clamp(depth, 0.0, 1.0);
   if (bits_of(format) == 0) return to_float(clamped);
-  const double largest = largest_of(format);
-  return nearest(steps_of(clamped, largest)) / largest;
+  double largest = largest_of(format);
+  double step = 1;  // between integers
+  switch (bits) {
+    case DepthBits::as_set:
+      break;
+    case DepthBits::one_fewer:
+      largest = std::ldexp(1.0, bits_of(format) - 1) - 1;
+      break;
+    case DepthBits::two_fewer:
+      largest = std::ldexp(1.0, bits_of(format) - 2) - 1;
+      break;
+    case DepthBits::lowest_lost:
+      step = 2;
+      break;
+    case DepthBits::two_lowest_lost:
+      step = 4;
+      break;
+  }
+  return std::min(nearest(steps_of(clamped, largest / step)) * step, largest) / largest;
 }
 
 bool is_depth_of(double stored, DepthFormat format) {
@@ -117,6 +134,16 @@ bool is_within_one_code(double stored, Interval permitted, DepthFormat format) {
   const double code = std::nearbyint(stored * largest);
   return code >= std::nearbyint(permitted.low * largest) - 1 &&
          code <= std::nearbyint(permitted.high * largest) + 1;
+}
+
+Rule depth_bits_rule() {
+  return {RuleId::framebuffer_depth_bits,
+          "A depth buffer keeps the bits of its format",
+          "2.3.5.2, with 8.5.1 (required texture formats)",
+          "none",
+          "as-set",
+          alternatives_of<DepthBits>(),
+          {}};
 }
 
 Rule depth_buffer_rule() {

@@ -41,13 +41,27 @@ Unorm8Range unorm8_permitted(Interval value);
 // fragment keeps the clear value, 1.
 
 Rule depth_buffer_rule();  // framebuffer.depth
+Rule depth_bits_rule();    // framebuffer.depth-bits
+
+// The bits that a depth buffer of integers keeps. Of a narrower buffer the largest integer is 1; of
+// one that loses bits, each integer is rounded to a multiple of 2 or 4.
+enum class DepthBits { as_set, one_fewer, two_fewer, lowest_lost, two_lowest_lost };
+template <>
+inline constexpr auto kNames<DepthBits> = std::to_array<TabledAlternative<DepthBits>>(
+    {{DepthBits::as_set, "as-set", Openness::mandated, "those of the format: 16 or 24"},
+     {DepthBits::one_fewer, "one-fewer", Openness::illegal, "15 of 16, 23 of 24"},
+     {DepthBits::two_fewer, "two-fewer", Openness::illegal, "14 of 16, 22 of 24"},
+     {DepthBits::lowest_lost, "lowest-lost", Openness::illegal,
+      "integers are rounded to multiples of 2"},
+     {DepthBits::two_lowest_lost, "two-lowest-lost", Openness::illegal,
+      "integers are rounded to multiples of 4"}});
 
 // Bits of an unsigned format; 0 for depth32f and none.
 int bits_of(DepthFormat format);
 
 // The stored value nearest to a depth, which is first clamped to 0 to 1; of two equally near ones,
 // the one with the even integer. NaN is stored as 0.
-double to_depth(double depth, DepthFormat format);
+double to_depth(double depth, DepthFormat format, DepthBits bits = DepthBits::as_set);
 
 // True if the format contains this number. A float32 buffer contains numbers beyond 0 to 1, too.
 bool is_depth_of(double stored, DepthFormat format);

@@ -224,6 +224,28 @@ TEST(Blending, MinAndMaxIgnoreFactorsUnlessAnAlternativeAppliesThem) {
     EXPECT_EQ(by(BlendEquation::add, method), by(BlendEquation::add, as_set));
 }
 
+// A difference below 0 is 0, or as much below 1.
+TEST(Blending, DifferencesAreClampedUnlessAnAlternativeWrapsThem) {
+  const Numbers source = {1, 0.6, 0.2, 0.5};
+  const Rgba8 destination = {100, 100, 100, 100};
+  const auto by = [&](BlendEquation equation, BlendMethod method) {
+    const BlendTerm term{equation, BlendFactor::one, BlendFactor::one};
+    return written({term, term, {}}, source, destination, {.method = method});
+  };
+  using enum BlendMethod;
+  EXPECT_EQ(by(BlendEquation::subtract, as_set), (Rgba8{155, 53, 0, 28}));
+  EXPECT_EQ(by(BlendEquation::subtract, differences_wrapped), (Rgba8{155, 53, 206, 28}));
+  EXPECT_EQ(by(BlendEquation::reverse_subtract, as_set), (Rgba8{0, 0, 49, 0}));
+  EXPECT_EQ(by(BlendEquation::reverse_subtract, differences_wrapped), (Rgba8{100, 202, 49, 228}));
+  EXPECT_EQ(by(BlendEquation::add, differences_wrapped), by(BlendEquation::add, as_set));
+  for (const BlendRounding rounding : values_of<BlendRounding>()) {
+    const BlendTerm term{BlendEquation::subtract, BlendFactor::one, BlendFactor::one};
+    EXPECT_EQ(written({term, term, {}}, {0, 0, 0, 0}, {255, 51, 1, 0},
+                      {.method = differences_wrapped, .rounding = rounding}),
+              (Rgba8{0, 204, 254, 0}));
+  }
+}
+
 // Each form of over taken for the other is the other; no other blending is touched.
 TEST(Blending, FormsOfOverAreTakenForEachOther) {
   const Blending& premultiplied = kBlendPresets[1].blending;

@@ -37,6 +37,26 @@ TEST(PickLevels, OfAnExactLambdaIsTheOneOfTheFormulas) {
   EXPECT_EQ(settings, 2 * 2 * 2 * 3 * (1 + 3 + 10));
 }
 
+// A base level of 2, levels up to 5, levels of detail up to 1.5.
+TEST(Limited, TakesTheLimitsForOtherOnes) {
+  Sampler set;
+  set.base_level = 2;
+  set.max_level = 5;
+  set.max_lod = 1.5F;
+  const auto has = [&](LevelLimits limits, int max_level, float max_lod) {
+    Sampler expected = set;
+    expected.max_level = max_level;
+    expected.max_lod = max_lod;
+    EXPECT_EQ(limited(set, limits), expected) << name_of(limits);
+  };
+  has(LevelLimits::as_set, 5, 1.5F);
+  has(LevelLimits::max_level_as_max_lod, 1000, 1.5F);
+  has(LevelLimits::max_lod_from_level_0, 5, -0.5F);
+  has(LevelLimits::max_level_ignored, 1000, 1.5F);
+  set.max_lod = 1000;
+  has(LevelLimits::max_level_as_max_lod, 1000, 5);
+}
+
 // The doubles on either side of every border: no sum rounds a lambda onto it.
 TEST(PickLevels, BesideATieIsOnItsSide) {
   Setting s;

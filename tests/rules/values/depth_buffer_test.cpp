@@ -53,6 +53,32 @@ TEST(ToDepth, GoesToTheNearestStep) {
     }
 }
 
+// Of a narrower buffer every depth is a multiple of 1/(2^bits - 1); of one that loses bits, every
+// integer is a multiple of 2 or 4, but for the largest.
+TEST(ToDepth, KeepsTheBitsOfAnAlternative) {
+  const auto code = [](double depth, DepthFormat format, DepthBits bits, int kept) {
+    const double steps = to_depth(depth, format, bits) * (std::ldexp(1, kept) - 1);
+    EXPECT_NEAR(steps, std::nearbyint(steps), 1e-8);
+    return std::llround(steps);
+  };
+  // 0.3 (2^n - 1) for n = 24, 22, 16, 15, 14.
+  EXPECT_EQ(code(0.3, DepthFormat::depth24, DepthBits::as_set, 24), 5033164);
+  EXPECT_EQ(code(0.3, DepthFormat::depth24, DepthBits::one_fewer, 23), 2516582);
+  EXPECT_EQ(code(0.3, DepthFormat::depth24, DepthBits::two_fewer, 22), 1258291);
+  EXPECT_EQ(code(0.3, DepthFormat::depth16, DepthBits::as_set, 16), 19660);
+  EXPECT_EQ(code(0.3, DepthFormat::depth16, DepthBits::one_fewer, 15), 9830);
+  EXPECT_EQ(code(0.3, DepthFormat::depth16, DepthBits::two_fewer, 14), 4915);
+  // 19661.5 of 65535 between 19660 and 19664.
+  const double depth = 19661.5 / 65535;
+  EXPECT_EQ(code(depth, DepthFormat::depth16, DepthBits::lowest_lost, 16), 19662);
+  EXPECT_EQ(code(depth, DepthFormat::depth16, DepthBits::two_lowest_lost, 16), 19660);
+  for (const DepthBits bits : values_of<DepthBits>()) {
+    EXPECT_EQ(to_depth(0, DepthFormat::depth24, bits), 0);
+    EXPECT_EQ(to_depth(1, DepthFormat::depth24, bits), 1);
+    EXPECT_EQ(to_depth(0.3, DepthFormat::depth32f, bits), double{0.3f});
+  }
+}
+
 TEST(ToDepth, OfTwoEquallyNearGoesToTheEvenStep) {
   // Half of an odd number of steps.
   EXPECT_EQ(stored(0.5, DepthFormat::depth16), 32768);
