@@ -37,22 +37,12 @@ struct Group {
 
 // Tests that are no renderer's answers come first: they concern the suite or the whole run.
 int severity_of(const TestOutcome& outcome) {
-  if (outcome.result == nullptr) return outcome.status == TestStatus::error ? 7 : 6;
-  switch (outcome.result->verdict) {
-    case Verdict::violation:
-      return 5;
-    case Verdict::contested:
-      return 4;
-    case Verdict::not_run:
-      return 3;
-    case Verdict::permitted:
-      return 2;
-    case Verdict::convention:
-      return 1;
-    case Verdict::agree:
-      break;
-  }
-  return 0;
+  const auto severity = [](Verdict verdict) { return 2 * static_cast<int>(verdict); };
+  constexpr int kMost = 2 * static_cast<int>(kWorstFirst.size());
+  if (outcome.result == nullptr) return outcome.status == TestStatus::error ? kMost + 1 : kMost;
+  // An answer that did not come is worse than what is permitted, and than nothing else.
+  if (outcome.result->verdict == Verdict::not_run) return severity(Verdict::permitted) + 1;
+  return severity(outcome.result->verdict);
 }
 
 void add(const TestOutcome& outcome, Group& group) {

@@ -208,12 +208,6 @@ Json answer_json(const CaseResults& one, const Result& result) {
   return json;
 }
 
-Json pixel_counts_json(const PixelCounts& counts) {
-  return {{"agree", counts.agree},         {"convention", counts.convention},
-          {"permitted", counts.permitted}, {"contested", counts.contested},
-          {"violation", counts.violation}, {"same", counts.same}};
-}
-
 Json outcome_json(const Judgement& answer) {
   return {{"verdict", name_of(answer.verdict)}, {"fingerprint", answer.fingerprint}};
 }
@@ -243,6 +237,13 @@ void add_results(Json& json, const CaseResults& one) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json pixel_counts_json(const PixelCounts& counts) {
+  Json json;
+  for (const Verdict verdict : kDrawnVerdicts) json[name_of(verdict)] = counts[verdict];
+  json["same"] = counts.same;
+  return json;
+}
 
 nlohmann::ordered_json case_details(const CaseResults& one) {
   Json json = {{"pixels", to_base64(pack_pixels(one.pixels->bytes()))}};

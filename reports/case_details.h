@@ -35,4 +35,7 @@ constexpr std::size_t kMaxDisagreementsPerAnswer = 2000;
 
 nlohmann::ordered_json case_details(const CaseResults& one);
 
+// {"agree": ..., "same": ...}: pixels by verdict, and those of exact's colour.
+nlohmann::ordered_json pixel_counts_json(const PixelCounts& counts);
+
 }  // namespace edgecase

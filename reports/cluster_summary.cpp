@@ -20,9 +20,7 @@ namespace {
 constexpr std::size_t kMaxListed = 5;  // of a renderer's clusters of one legality
 
 fmt::text_style style_of(Legality legality) {
-  return style_of(legality == Legality::illegal     ? Verdict::violation
-                  : legality == Legality::contested ? Verdict::contested
-                                                    : Verdict::permitted);
+  return style_of(verdict_of(legality, false, Latitude::opengl));
 }
 
 std::string counts_of(const Cluster& cluster) {

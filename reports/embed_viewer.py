@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: MIT
 """Joins the viewer's files into one page and writes it as C++ source (see page.h).
 
-Usage: embed_viewer.py OUTPUT.cpp NAME,NAME... TEMPLATE.html STYLE.css... SCRIPT.js...
+Usage: embed_viewer.py OUTPUT.cpp NAME,NAME... TEMPLATE.html [verdict_looks.h] STYLE.css...
+                       SCRIPT.js...
 
 The template names {{policy}}, {{style}}, {{script}} where there are scripts, and the places where
 text is put in when a page is written: {{title}}, {{data}}, {{blocks}}. What stands between those
 becomes one string each, of the names given. The policy allows the page nothing but the one style
 and the one script that stand in it, each by its SHA-256 hash: a text that found its way into the
 markup could not run, load or send anything. A page with blocks has the place {{loads}} after the
-script's hash, for what lets that script load more of them.
+script's hash, for what lets that script load more of them. A style names the place
+/* {{verdicts}} */, where the styles of verdicts are put in.
 """
 import base64
 import hashlib
@@ -48,6 +50,28 @@ def array(name, text):
     return f"constexpr unsigned char {name}[] = {{\n" + ",\n".join(rows) + "};\n"
 
 
+def verdict_styles(table):
+    """Colours of light and dark pages, and the classes that have them, by verdict."""
+    light, dark, classes = [], [], []
+    for row in table.split("{.verdict = Verdict::")[1:]:
+        name = row[: row.index(",")].replace("_", "-")
+        sign = re.search(r'\.sign = "(\w+)"', row)[1]
+        colors = re.findall(r'\.(\w+) = {"(#\w+)", "(#\w+)"}', row)
+        for part, on_light, on_dark in colors:
+            variable = {"ink": f"--{name}", "ground": f"--{name}-bg", "heat": f"--heat-{name}"}[part]
+            light.append(f"{variable}: {on_light};")
+            dark.append(f"{variable}: {on_dark};")
+        classes.append(
+            f".b-{name} {{ background: var(--{name}-bg); color: var(--{name}); }}\n"
+            f".v-{name} {{ color: var(--{name}); }} .f-{name} {{ background: var(--{name}); }}\n"
+            f'.cell.v-{name}::before {{ content: "\\{sign}"; content: "\\{sign}" / ""; }}\n'
+            f".swatch.h-{name} {{ background: var(--heat-{name}); }}"
+        )
+    variables = f":root {{ {' '.join(light)} }}"
+    at_night = f"@media (prefers-color-scheme: dark) {{ :root {{ {' '.join(dark)} }} }}"
+    return "\n".join([variables, at_night, *classes])
+
+
 def joined(files, suffix):
     return "".join(p.read_text(encoding="utf-8") for p in files if p.suffix == suffix)
 
@@ -59,7 +83,9 @@ def main():
     script = joined(files, ".js")
     parts = build_page(
         pathlib.Path(template).read_text(encoding="utf-8"),
-        joined(files, ".css"),
+        joined(files, ".css").replace(
+            "/* {{verdicts}} */", verdict_styles(joined(files, ".h"))
+        ),
         '"use strict";\n' + script if script else "",
     )
     if len(parts) != len(names):

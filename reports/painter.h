@@ -9,6 +9,7 @@
 #include <string>
 
 #include "model/verdict.h"
+#include "reports/verdict_looks.h"
 
 namespace edgecase {
 
@@ -26,20 +27,8 @@ class Painter {
 };
 
 inline fmt::text_style style_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::agree:
-      return fmt::fg(fmt::terminal_color::green);
-    case Verdict::convention:
-      return fmt::fg(fmt::terminal_color::cyan);
-    case Verdict::permitted:
-      return fmt::fg(fmt::terminal_color::yellow);
-    case Verdict::contested:
-      return fmt::fg(fmt::terminal_color::magenta);
-    case Verdict::violation:
-      return fmt::fg(fmt::terminal_color::red) | fmt::emphasis::bold;
-    case Verdict::not_run:
-      return fmt::emphasis::faint;
-  }
+  for (const VerdictLook& look : kVerdictLooks)
+    if (look.verdict == verdict) return look.terminal;
   return {};
 }
 

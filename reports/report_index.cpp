@@ -14,7 +14,9 @@
 #include <utility>
 
 #include "model/threads.h"
+#include "reports/case_details.h"
 #include "reports/text.h"
+#include "reports/verdict_looks.h"
 #include "results/clusters.h"
 #include "results/standing.h"
 #include "results/worst_first.h"
@@ -51,10 +53,12 @@ class FindingsOf {
 
   Findings operator()(const Result& result) const {
     Findings found;
-    for_each_class(result,
-                   [&](const DisagreementClass& d) { add(found, name_of(d.rule), verdict_of(d)); });
+    for_each_class(result, [&](const DisagreementClass& d) {
+      add(found, name_of(d.rule), verdict(d.legality, d.cause));
+    });
     for (const ValueAggregate& values : result.values)
-      if (!values.differing.empty()) add(found, name_of(values.rule), verdict_of(values.cause));
+      if (!values.differing.empty())
+        add(found, name_of(values.rule), verdict(Legality::legal, values.cause));
     return found;
   }
 
@@ -64,17 +68,9 @@ class FindingsOf {
     worst = std::max(worst, verdict);
   }
 
-  Verdict verdict_of(const DisagreementClass& d) const {
-    if (is_legal(d)) return verdict_of(d.cause);
-    const bool is_contested = d.legality == Legality::contested && latitude_ != Latitude::none;
-    return is_contested ? Verdict::contested : Verdict::violation;
-  }
-
-  // The verdict of a legal difference with this cause.
-  Verdict verdict_of(const Cause& cause) const {
-    if (latitude_ == Latitude::none) return Verdict::violation;
+  Verdict verdict(Legality legality, const Cause& cause) const {
     const bool is_open = !cause.empty() && texts_->is_open_choice && texts_->is_open_choice(cause);
-    return is_open ? Verdict::convention : Verdict::permitted;
+    return verdict_of(legality, is_open, latitude_);
   }
 
   Latitude latitude_;
@@ -167,11 +163,7 @@ class RendererSums {
  private:
   void add_scene(const PixelCounts& counts) {
     ++drawn_;
-    scenes_.agree += counts.agree;
-    scenes_.convention += counts.convention;
-    scenes_.permitted += counts.permitted;
-    scenes_.contested += counts.contested;
-    scenes_.violation += counts.violation;
+    for (const Verdict verdict : kDrawnVerdicts) scenes_[verdict] += counts[verdict];
     scenes_.same += counts.same;
   }
 
@@ -195,13 +187,9 @@ Json RendererSums::values() const {
 }
 
 Json RendererSums::scenes() const {
-  return {{"drawn", drawn_},
-          {"agree", scenes_.agree},
-          {"convention", scenes_.convention},
-          {"permitted", scenes_.permitted},
-          {"contested", scenes_.contested},
-          {"violation", scenes_.violation},
-          {"same", scenes_.same}};
+  Json json = pixel_counts_json(scenes_);
+  json["drawn"] = drawn_;
+  return json;
 }
 
 // A case, and what its answers come to.
@@ -333,6 +321,16 @@ Json renderer_json(const Results& results, const ReportTexts& texts, std::size_t
           {"profile", choices_json(texts, info.name)}};
 }
 
+// The page's words and shapes, by verdict, in its order.
+Json verdicts_json() {
+  Json json;
+  for (const VerdictLook& look : kVerdictLooks)
+    json[name_of(look.verdict)] = {{"rank", kVerdictLooks.size() - 1 - json.size()},
+                                   {"path", look.icon},
+                                   {"means", look.meaning}};
+  return json;
+}
+
 void add_texts(Json& json, const ReportTexts& texts) {
   json["rules"] = json["rulings"] = Json::array();
   for (const RuleText& rule : texts.rules) {
@@ -377,6 +375,7 @@ Json report_index(const Results& results, const ReportTexts& texts, const CaseHe
                {"policy", results.policy},
                {"interrupted", results.interrupted},
                {"left_out", results.left_out},
+               {"verdicts", verdicts_json()},
                {"renderers", Json::array()}};
   add_texts(json, texts);
   add_problems(json, results);

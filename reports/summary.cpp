@@ -24,8 +24,6 @@ namespace {
 
 constexpr std::size_t kMaxListed = 20;
 constexpr std::size_t kLabelWidth = 12;
-constexpr Verdict kWorstFirst[] = {Verdict::violation,  Verdict::contested, Verdict::permitted,
-                                   Verdict::convention, Verdict::agree,     Verdict::not_run};
 
 // "41 s", and "0.4 s" below ten.
 std::string duration_text(double seconds) {

@@ -24,8 +24,6 @@ namespace {
 constexpr std::size_t kMostUnexpected = 50;
 constexpr std::size_t kMostListed = 20;
 constexpr std::size_t kMostClusters = 10;
-constexpr Verdict kWorstFirst[] = {Verdict::violation,  Verdict::contested, Verdict::permitted,
-                                   Verdict::convention, Verdict::agree,     Verdict::not_run};
 
 // A heading, the head of a table or none, and at most `most` lines.
 void add_list(const std::string& heading, const std::string& head,

@@ -2,6 +2,9 @@
 // unpacked when a case is shown.
 
 const Data = JSON.parse(byId("data").textContent);
+const VERDICTS = Data.verdicts;
+const WORST_FIRST = Object.keys(VERDICTS);
+const PIXEL_VERDICTS = WORST_FIRST.filter((verdict) => verdict !== "not-run").reverse();
 const Rules = new Map(Data.rules.map((rule) => [rule.id, rule]));
 const Rulings = new Map(Data.rulings.map((ruling) => [ruling.number, ruling]));
 const CasesById = new Map();

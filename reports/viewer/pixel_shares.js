@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT The shares of an image's pixels by kind: of a result beside its
 // pictures, and of all scenes together on the first page.
 
-const PIXEL_VERDICTS = ["agree", "convention", "permitted", "contested", "violation"];
-
 const pixelsOf = (counts) => PIXEL_VERDICTS.reduce((sum, verdict) => sum + counts[verdict], 0);
 
 // "0.0031 %": two digits of a small share, so that one pixel in a million is not shown as 0, and

@@ -1,33 +1,6 @@
 // SPDX-License-Identifier: MIT The texts and shapes of the report: each verdict, standing and kind
-// has a text, a shape and a colour (by its class), so that no meaning depends only on colour.
-
-const VERDICTS = {
-  violation: {
-    rank: 5, path: "M3.5 3.5l9 9M12.5 3.5l-9 9",
-    means: "Something is outside what the specification allows.",
-  },
-  contested: {
-    rank: 4, path: "M5.2 5.8a2.8 2.8 0 1 1 4.2 2.4C8.4 8.8 8 9.3 8 10.2M8 13v.2",
-    means: "The letter of the specification forbids it, and there is good reason to read it otherwise.",
-  },
-  permitted: {
-    rank: 3, path: "M8 2.5 14.2 13.5H1.8z",
-    means: "All is allowed, but no catalogued alternative explains some of it.",
-  },
-  convention: {
-    rank: 2, path: "M2 6.4c2-2.6 4-2.2 6-.6s4 2 6-.6M2 11.4c2-2.6 4-2.2 6-.6s4 2 6-.6",
-    means: "All is allowed and follows alternatives that the specification leaves open.",
-  },
-  "not-run": {
-    rank: 1, path: "M8 2.2a5.8 5.8 0 1 0 .01 0zM4 12 12 4",
-    means: "There is no rendering to compare. Never counted as agreement.",
-  },
-  agree: {
-    rank: 0, path: "M2.8 8.6 6.5 12.2 13.2 4",
-    means: "Nothing differs from the exact rendering under this policy.",
-  },
-};
-const WORST_FIRST = Object.keys(VERDICTS);
+// has a text, a shape and a colour (by its class), so that no meaning depends only on colour. Those
+// of verdicts come with the data.
 
 const STANDINGS = {
   unexpected: {

@@ -117,7 +117,7 @@ Result compare(const Scene& scene, const ResolvedPolicy& policy, const Rendering
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
   // A run keeps all its results until the last one is there.
   result.disagreements.shrink_to_fit();
-  result.pixel_counts.agree = rendered.pixels.size() / 4;
+  result.pixel_counts[Verdict::agree] = rendered.pixels.size() / 4;
   result.pixel_counts.same = count_same_pixels(exact.pixels, rendered.pixels);
   return result;
 }

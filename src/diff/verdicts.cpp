@@ -96,34 +96,25 @@ std::map<Verdict, std::size_t> count_gross(const Result& result, Latitude latitu
 }  // namespace
 
 Verdict verdict_of(const DisagreementClass& disagreement, Latitude latitude) {
-  if (latitude == Latitude::none || disagreement.legality == Legality::illegal)
-    return Verdict::violation;
-  if (disagreement.legality == Legality::contested) return Verdict::contested;
-  return is_open_choice(disagreement.cause) ? Verdict::convention : Verdict::permitted;
+  return verdict_of(disagreement.legality, is_open_choice(disagreement.cause), latitude);
 }
 
 Verdict verdict_of(const ValueAggregate& values, Latitude latitude) {
-  if (latitude == Latitude::none) return Verdict::violation;
-  return is_open_choice(values.cause) ? Verdict::convention : Verdict::permitted;
+  return verdict_of(Legality::legal, is_open_choice(values.cause), latitude);
 }
 
 void count_pixels(Result& result, Latitude latitude) {
-  const PixelCounts before = result.pixel_counts;
-  const std::size_t all =
-      before.agree + before.convention + before.permitted + before.contested + before.violation;
+  PixelCounts& counts = result.pixel_counts;
+  const std::size_t all = counts.all();
   if (all == 0) return;
   std::map<Verdict, std::size_t> found;
   if (result.counted.empty())
     for (const JudgedPixel& pixel : judged_pixels(result, latitude)) ++found[pixel.verdict];
   else
     found = count_gross(result, latitude);
-  PixelCounts& counts = result.pixel_counts = {};
-  counts.same = before.same;
-  counts.convention = found[Verdict::convention];
-  counts.permitted = found[Verdict::permitted];
-  counts.contested = found[Verdict::contested];
-  counts.violation = found[Verdict::violation];
-  counts.agree = all - counts.convention - counts.permitted - counts.contested - counts.violation;
+  found[Verdict::agree] = 0;
+  for (const Verdict verdict : kDrawnVerdicts) counts[verdict] = found[verdict];
+  counts[Verdict::agree] = all - counts.all();
 }
 
 }  // namespace edgecase

@@ -8,16 +8,9 @@
 #include <vector>
 
 #include "model/scene.h"
+#include "model/verdict.h"
 
 namespace edgecase {
-
-enum class Latitude {
-  opengl,  // OpenGL's latitude decides which differences are permitted
-  none,    // any difference is a violation of this policy
-};
-template <>
-inline constexpr auto kNames<Latitude> =
-    std::to_array<Named<Latitude>>({{Latitude::opengl, "opengl"}, {Latitude::none, "none"}});
 
 // rule id -> name of the alternative. An absent rule takes the default of its catalogue entry;
 // triangle.snap, line.snap and point.snap default to subpixel.snap.

@@ -8,8 +8,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,12 +49,16 @@ constexpr bool is_unexpected(Standing standing) {
 // at it: in a fragment, seen or hidden, in its samples, in the image or in one of its passes.
 // Differences of a whole texture count at pixel (0, 0). All are 0 if there is no picture.
 struct PixelCounts {
-  std::size_t agree = 0;       // nothing differs
-  std::size_t convention = 0;  // from here on: verdicts, of this pixel alone
-  std::size_t permitted = 0;
-  std::size_t contested = 0;
-  std::size_t violation = 0;
+  std::array<std::size_t, kDrawnVerdicts.size()> by_verdict{};
   std::size_t same = 0;  // the stored colour equals exact's to the bit, whatever else differs there
+
+  // Of any verdict but not-run.
+  std::size_t& operator[](Verdict verdict) { return by_verdict[static_cast<std::size_t>(verdict)]; }
+  std::size_t operator[](Verdict verdict) const {
+    return by_verdict[static_cast<std::size_t>(verdict)];
+  }
+  // All pixels of the target.
+  std::size_t all() const { return std::reduce(by_verdict.begin(), by_verdict.end()); }
   friend bool operator==(const PixelCounts&, const PixelCounts&) = default;
 };
 

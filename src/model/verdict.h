@@ -3,6 +3,7 @@
 // The result of a comparison: disagreements, aggregated values, and a case's verdict.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstddef>
@@ -11,6 +12,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -213,7 +215,18 @@ inline bool is_legal(const DisagreementClass& disagreement) {
   return disagreement.legality == Legality::legal;
 }
 
-// Ordered from best to worst; a case gets the worst that applies.
+// Of a policy.
+enum class Latitude {
+  opengl,  // OpenGL's latitude decides which differences are permitted
+  none,    // any difference is a violation of this policy
+};
+
+template <>
+inline constexpr auto kNames<Latitude> =
+    std::to_array<Named<Latitude>>({{Latitude::opengl, "opengl"}, {Latitude::none, "none"}});
+
+// Ordered from best to worst; a case gets the worst that applies. Another verdict is a value and a
+// name here, a line of verdict_of, and a row in reports/verdict_looks.h.
 enum class Verdict { agree, convention, permitted, contested, violation, not_run };
 
 template <>
@@ -224,5 +237,23 @@ inline constexpr auto kNames<Verdict> =
                                    {Verdict::contested, "contested"},
                                    {Verdict::violation, "violation"},
                                    {Verdict::not_run, "not-run"}});
+
+// The verdict on a difference. `is_open`: the specification leaves its cause open (is_open_choice
+// in rules/all_rules.h). Never `agree`.
+constexpr Verdict verdict_of(Legality legality, bool is_open, Latitude latitude) {
+  if (latitude == Latitude::none || legality == Legality::illegal) return Verdict::violation;
+  if (legality == Legality::contested) return Verdict::contested;
+  return is_open ? Verdict::convention : Verdict::permitted;
+}
+
+// Verdicts on what was drawn: all but not-run, from best to worst.
+inline constexpr std::span kDrawnVerdicts(kValues<Verdict>.data(), kValues<Verdict>.size() - 1);
+
+// From worst to best. Not-run comes last: nothing is known of it.
+inline constexpr auto kWorstFirst = [] {
+  auto order = kValues<Verdict>;
+  std::reverse(order.begin(), order.end() - 1);
+  return order;
+}();
 
 }  // namespace edgecase

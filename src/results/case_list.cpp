@@ -200,8 +200,7 @@ void carry(Io& io, T& reported) {
 
 template <class Io, Of<PixelCounts> T>
 void carry(Io& io, T& counts) {
-  carry_all(io, counts.agree, counts.convention, counts.permitted, counts.contested,
-            counts.violation, counts.same);
+  carry_all(io, counts.by_verdict, counts.same);
 }
 
 // All but the answer, which the outline has.

@@ -186,9 +186,11 @@ Result::LevelPoint to_level(const ReadJson& json) {
 }
 
 PixelCounts to_pixel_counts(const ReadJson& json) {
-  return {WholeNumber(json.at("agree")),     WholeNumber(json.at("convention")),
-          WholeNumber(json.at("permitted")), WholeNumber(json.at("contested")),
-          WholeNumber(json.at("violation")), WholeNumber(json.at("same"))};
+  PixelCounts counts;
+  for (const Verdict verdict : kDrawnVerdicts)
+    counts[verdict] = WholeNumber(json.at(name_of(verdict)));
+  counts.same = WholeNumber(json.at("same"));
+  return counts;
 }
 
 std::uint64_t to_digest(const ReadJson& json) {

@@ -33,11 +33,7 @@ void write_failure(JsonWriter& json, const Failure& failure) {
 
 void write_pixel_counts(JsonWriter& json, const PixelCounts& counts) {
   json.object([&] {
-    json.member("agree", counts.agree);
-    json.member("convention", counts.convention);
-    json.member("permitted", counts.permitted);
-    json.member("contested", counts.contested);
-    json.member("violation", counts.violation);
+    for (const Verdict verdict : kDrawnVerdicts) json.member(name_of(verdict), counts[verdict]);
     json.member("same", counts.same);
   });
 }
@@ -180,7 +176,8 @@ void append_case(const CaseResults& one, std::size_t head,
 
 PixelCounts counts_of_agreement(int width, int height) {
   PixelCounts counts;
-  counts.agree = counts.same = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  counts[Verdict::agree] = counts.same =
+      static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   return counts;
 }
 

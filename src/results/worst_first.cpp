@@ -41,10 +41,9 @@ Beginning beginning_of(const Result& result, std::size_t renderer) {
   return {renderer, result.verdict, "", failure, 0, ""};
 }
 
-// 0 for the worst. What was not run comes last: nothing is known of it.
+// 0 for the worst.
 int rank_of(Verdict verdict) {
-  constexpr int kLast = static_cast<int>(Verdict::not_run);
-  return verdict == Verdict::not_run ? kLast : kLast - 1 - static_cast<int>(verdict);
+  return static_cast<int>(std::ranges::find(kWorstFirst, verdict) - kWorstFirst.begin());
 }
 
 }  // namespace

@@ -160,16 +160,13 @@ TEST(GrossFaults, CountEachPixelByItsWorst) {
       Verdict& verdict = worst[{d.x, d.y}];
       verdict = std::max(verdict, verdict_of(d, Latitude::opengl));
     }
-  for (const auto& [pixel, verdict] : worst)
-    ++(verdict == Verdict::violation   ? expected.violation
-       : verdict == Verdict::contested ? expected.contested
-       : verdict == Verdict::permitted ? expected.permitted
-                                       : expected.convention);
-  expected.agree = expected.same - worst.size();
+  for (const auto& [pixel, verdict] : worst) ++expected[verdict];
+  expected[Verdict::agree] = expected.same - worst.size();
   EXPECT_EQ(result.verdict, Verdict::violation);
-  EXPECT_EQ(result.pixel_counts.violation + result.pixel_counts.contested,
-            expected.violation + expected.contested);
-  EXPECT_EQ(result.pixel_counts.agree, expected.agree);
+  const PixelCounts& found = result.pixel_counts;
+  EXPECT_EQ(found[Verdict::violation] + found[Verdict::contested],
+            expected[Verdict::violation] + expected[Verdict::contested]);
+  EXPECT_EQ(found[Verdict::agree], expected[Verdict::agree]);
 }
 
 // The one illegal difference comes last.

@@ -118,20 +118,20 @@ TEST(Judge, WhatAContestedRulingForbidsIsContestedAndNoViolation) {
   contested.disagreements = {forbidden_by(kContested)};
   violation.disagreements = {forbidden_by(kNormative)};
   both.disagreements = {forbidden_by(kNormative), forbidden_by(kContested)};
-  for (Result* result : {&contested, &violation, &both}) result->pixel_counts.agree = 4;
+  for (Result* result : {&contested, &violation, &both}) result->pixel_counts[Verdict::agree] = 4;
   both.disagreements[1].x = 1;
   std::deque<Result> results = {contested, violation, both};
   judge_all(results);
   EXPECT_EQ(results[0].verdict, Verdict::contested);
   EXPECT_EQ(results[0].disagreements[0].legality, Legality::contested);
-  EXPECT_EQ(results[0].pixel_counts.contested, 1U);
-  EXPECT_EQ(results[0].pixel_counts.violation, 0U);
-  EXPECT_EQ(results[0].pixel_counts.agree, 3U);
+  EXPECT_EQ(results[0].pixel_counts[Verdict::contested], 1U);
+  EXPECT_EQ(results[0].pixel_counts[Verdict::violation], 0U);
+  EXPECT_EQ(results[0].pixel_counts[Verdict::agree], 3U);
   EXPECT_EQ(results[1].verdict, Verdict::violation);
   EXPECT_EQ(results[1].disagreements[0].legality, Legality::illegal);
   EXPECT_EQ(results[2].verdict, Verdict::violation) << "the worst decides";
-  EXPECT_EQ(results[2].pixel_counts.contested, 1U);
-  EXPECT_EQ(results[2].pixel_counts.violation, 1U);
+  EXPECT_EQ(results[2].pixel_counts[Verdict::contested], 1U);
+  EXPECT_EQ(results[2].pixel_counts[Verdict::violation], 1U);
 }
 
 TEST(Judge, TheRulingOfTodayDecidesWhatIsContested) {
@@ -364,7 +364,7 @@ TEST(Judge, WhatDoesNotDependOnTheRunIsTheSameUnderEveryReading) {
   values.values[0].differing = {{1, 2, 0}, {2, 2, 0}};
   values.values[1].differing = {{1, 2, 0}};
   values.values[1].cause = cause_named("triangle.fill-rule=left-bottom");
-  values.pixel_counts.agree = 16;
+  values.pixel_counts[Verdict::agree] = 16;
   results.push_back(values);
   results.emplace_back().failure = Failure{FailureKind::crashed, "signal 11"};
   const RunReading reading = read_run(pointers(results));

@@ -24,7 +24,7 @@ void expect_agreement(const Scene& scene, const Policy& policy, const Rendering&
   ASSERT_TRUE(result.disagreements.empty() && result.values.empty() && result.evidence.empty());
   ASSERT_TRUE(result.fingerprint.empty());
   const std::size_t pixels = rendered.pixels.size() / 4;
-  ASSERT_EQ(result.pixel_counts, (PixelCounts{pixels, 0, 0, 0, 0, pixels}));
+  ASSERT_EQ(result.pixel_counts, (PixelCounts{{pixels, 0, 0, 0, 0}, pixels}));
 }
 
 TEST(SelfAgreement, OfRandomScenes) {

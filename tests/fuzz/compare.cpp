@@ -252,11 +252,9 @@ void write_and_read(const Results& results) {
 void check_counts(const Rendering& rendering, const Result& result) {
   const PixelCounts& counts = result.pixel_counts;
   const std::size_t pixels = rendering.pixels.size() / 4;
-  promise(counts.agree <= pixels && counts.same <= pixels, "no more pixels agree than there are");
-  promise(
-      counts.agree + counts.convention + counts.permitted + counts.contested + counts.violation ==
-          pixels,
-      "each pixel counts once");
+  promise(counts[Verdict::agree] <= pixels && counts.same <= pixels,
+          "no more pixels agree than there are");
+  promise(counts.all() == pixels, "each pixel counts once");
 }
 
 // What is shown must be exact's where nothing differs. Asked for by a variable of the environment,

@@ -55,7 +55,7 @@ TEST(Names, OfScenesReadBack) {
 
 TEST(Names, OfVerdictsReadBack) {
   expect_round_trip<Verdict>({Verdict::agree, Verdict::convention, Verdict::permitted,
-                              Verdict::violation, Verdict::not_run});
+                              Verdict::contested, Verdict::violation, Verdict::not_run});
   EXPECT_STREQ(name_of(Verdict::not_run), "not-run");
 }
 

@@ -173,7 +173,7 @@ TEST(ResultsJson, WhatAgreesIsAShortLine) {
   agrees.verdict = Verdict::agree;
   agrees.pixels = one.pixels;
   agrees.samples = one.samples;
-  agrees.pixel_counts = {2, 0, 0, 0, 0, 2};
+  agrees.pixel_counts = {{2, 0, 0, 0, 0}, 2};
   one.results = {agrees, agrees};
   one.expect_failures.clear();
   results.cases.replace(0, one);

@@ -100,7 +100,7 @@ Result full_result() {
   result.illegal_line_snaps = {"none", "8-truncate"};
   result.refuted.add(cause_named("line.snap=none").parts[0]);
   result.refuted.add({RuleId::window_origin});
-  result.pixel_counts = {1, 2, 3, 4, 5};
+  result.pixel_counts = {{1, 2, 3, 4, 5}};
   result.ramp = {{0, 0, 0.1, -0.0, 1.0 / 3, 5e-324},
                  {1, 0, -kInfinity, -kInfinity, kInfinity, kNaN},
                  {1, 3, kNaN, kNaN, kNaN, 1.7976931348623157e308}};

@@ -126,7 +126,7 @@ std::string judgement_of_all(const Results& results) {
   for (const CaseResults& one : results.cases)
     for (const Result& result : one.results) {
       text += one.id + " " + describe(judgement_of(result)) + " " +
-              std::to_string(result.pixel_counts.permitted);
+              std::to_string(result.pixel_counts[Verdict::permitted]);
       for (const Disagreement& d : result.disagreements)
         text += " " + std::to_string(static_cast<int>(d.legality)) + text_of(d.cause);
       text += "\n";
@@ -144,7 +144,7 @@ TEST(Judging, InTwoStepsIsJudgingAtOnce) {
     one.id = std::to_string(i);
     one.surface = i < answers.size() ? "fbo" : "window";
     one.results = {answers[i % answers.size()], answers[(i + i / answers.size()) % answers.size()]};
-    for (Result& result : one.results) result.pixel_counts.agree = 20;
+    for (Result& result : one.results) result.pixel_counts[Verdict::agree] = 20;
     cases.push_back(std::move(one));
   }
   Results at_once;

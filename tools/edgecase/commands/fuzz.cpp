@@ -124,6 +124,13 @@ bool keep_those_with_an_end(std::vector<const Family*>& families) {
   return false;
 }
 
+// Names of the verdicts on something that differs.
+std::vector<std::string> names_of_differences() {
+  std::vector<std::string> names;
+  for (const Verdict verdict : kDrawnVerdicts.subspan(1)) names.emplace_back(name_of(verdict));
+  return names;
+}
+
 // The options without progress and stop; prints an error and returns nothing if they are wrong.
 std::optional<FuzzOptions> options_of(const FuzzCommand& command) {
   FuzzOptions options;
@@ -311,7 +318,7 @@ void add_fuzz_command(CLI::App& app, ExitCode& exit) {
                  "or a folder; repeatable");
   options->policy.add_to(*command);
   command->add_option("--verdict", options->verdict, "The least verdict that makes a find")
-      ->check(CLI::IsMember({"convention", "permitted", "contested", "violation"}))
+      ->check(CLI::IsMember(names_of_differences()))
       ->capture_default_str();
   add_repeatable(*command, "--surface", options->surfaces,
                  "fbo or window; repeatable (default: both)");
