@@ -77,7 +77,8 @@ RuleAnswers to_rule_answers(const ReadJson& json) {
   const ReadJson& counts = json.at("for");
   for (const Alternative& alternative : rule->alternatives) {
     std::size_t speaking = 0;
-    if (counts.contains(alternative.name)) speaking = WholeNumber(counts.at(alternative.name));
+    if (counts.contains(alternative.name.c_str()))
+      speaking = WholeNumber(counts.at(alternative.name.c_str()));
     if (speaking > answers.asked)
       throw std::runtime_error("more answers speak for an alternative than were asked");
     answers.against.push_back(answers.asked - speaking);
