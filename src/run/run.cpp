@@ -60,7 +60,7 @@ class Run {
     earlier_.emplace(*options.earlier, names);
   }
 
-  Results operator()() {
+  CompletedRun operator()() {
     const auto jobs = static_cast<std::size_t>(std::max(1, options_.jobs));
     ShareQueue shares(shares_of(suite_.cases, options_.renderers.size()), jobs);
     run_threads(std::min(jobs, shares.size()), [&](std::size_t thread) { work(shares, thread); });
@@ -178,11 +178,10 @@ class Run {
 
   void note_duration(const std::string& id, std::size_t index,
                      std::chrono::steady_clock::time_point asked) {
-    if (options_.durations == nullptr) return;
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - asked;
     const std::lock_guard lock(mutex_);
     // As the file has it (results/durations.h), so that reports of both are the same.
-    (*options_.durations)[id][options_.renderers[index]] = std::round(took.count() * 1e6) / 1e6;
+    durations_[id][options_.renderers[index]] = std::round(took.count() * 1e6) / 1e6;
   }
 
   // A renderer without any answer has not reported anything.
@@ -327,14 +326,13 @@ class Run {
     return results;
   }
 
-  Results collect() {
+  CompletedRun collect() {
     Results results = what_is_known();
     results.cases = take_complete_cases();
     results.left_out = suite_.cases.size() - results.cases.size();
     results.interrupted = results.left_out > 0;
-    if (options_.kept != nullptr) *options_.kept = kept_;
     judge_rest(results, readers_.readings());
-    return results;
+    return {std::move(results), std::move(durations_), kept_};
   }
 
   const Suite& suite_;
@@ -354,14 +352,15 @@ class Run {
   std::atomic<bool> enough_ = false;   // cases are unexpected
   bool is_finishing_ = false;          // what was begun before that
   std::set<std::size_t> unexpected_;   // cases, where their number matters
-  bool is_more_known_ = true;          // of the renderers than was told
+  Durations durations_;
+  bool is_more_known_ = true;  // of the renderers than was told
   std::mutex mutex_;
   std::mutex telling_;
 };
 
 }  // namespace
 
-Results run_suite(const Suite& suite, const RunOptions& options) {
+CompletedRun run_suite(const Suite& suite, const RunOptions& options) {
   return Run(suite, options)();
 }
 

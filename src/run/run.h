@@ -39,6 +39,8 @@ class FinishedCases {
   virtual void add(const CaseResults& one) = 0;
 };
 
+// All that decides on a run besides its suite. The command line fills it
+// (tools/edgecase/suite_run.h).
 struct RunOptions {
   Policy policy;
   std::vector<std::string> renderers;  // names that make_renderer knows
@@ -55,7 +57,9 @@ struct RunOptions {
   // `known`; the cases that some renderer has answered by then are finished. 0: never.
   std::size_t max_unexpected = 0;
   std::vector<KnownFaults> known;
-  Durations* durations = nullptr;  // filled, where it is set
+  bool strict = false;       // what is contested is unexpected, too
+  bool reruns = true;        // unexpected answers are asked for again (run/rerun.h)
+  bool whole_suite = false;  // as Results have it
   // Look for a difference's causes among what the renderer's profile has before all others: the
   // same results, sooner.
   bool likely_first = true;
@@ -63,12 +67,17 @@ struct RunOptions {
   // same rules, is not found once more (run/earlier_answers.h). The same results, sooner. Null:
   // none. Must live as long as the run, and is not used where max_unexpected is set.
   const Results* earlier = nullptr;
-  std::size_t* kept = nullptr;        // the number of such answers; filled, where it is set
   FinishedCases* finished = nullptr;  // told of each case, where it is set
+};
+
+struct CompletedRun {
+  Results results;
+  Durations durations;   // of all answers
+  std::size_t kept = 0;  // answers of which RunOptions::earlier said what they are
 };
 
 // Runs and judges. Renderer names must be known. Cases that were left out when the run ended early
 // are not in the results, which count them. Known faults are not applied.
-Results run_suite(const Suite& suite, const RunOptions& options);
+CompletedRun run_suite(const Suite& suite, const RunOptions& options);
 
 }  // namespace edgecase

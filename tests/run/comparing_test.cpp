@@ -120,7 +120,7 @@ TEST(RunSuite, LosesOnlyTheCaseInWhichItFails) {
   suite.cases.sort_by_id();
   RunOptions options;
   options.renderers = {"exact"};
-  const Results results = run_suite(suite, options);
+  const Results results = run_suite(suite, options).results;
   ASSERT_EQ(results.cases.size(), 2u);
   EXPECT_EQ(results.cases.outline(0).answers[0].verdict, Verdict::agree);
   expect_internal(results.cases.outline(1).answers[0].failure);

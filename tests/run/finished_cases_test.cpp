@@ -51,7 +51,7 @@ TEST(FinishedCases, AreToldOnceEachAndAsTheResultsHaveThem) {
   options.renderer_options.policy = options.policy;
   options.jobs = 3;
   options.finished = &told;
-  const Results results = run_suite(suite, options);
+  const Results results = run_suite(suite, options).results;
   ASSERT_EQ(told.known_.renderers.size(), results.renderers.size());
   for (std::size_t r = 0; r < results.renderers.size(); ++r)
     EXPECT_EQ(told.known_.renderers[r].name, results.renderers[r].name);

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <set>
 #include <thread>
+#include <utility>
+#include <variant>
 
 #include "casefile/loader.h"
 #include "model/renderer.h"
@@ -39,30 +41,12 @@ ExitCode exit_code_of(const ResultOutline& answer) {
   return ExitCode::unexpected;
 }
 
-RunOptions run_options(const Policy& policy, const Profiles& profiles,
-                       const SuiteRunOptions& options) {
-  RunOptions run;
-  run.policy = policy;
-  run.profiles = profiles;
-  run.renderers = options.renderers;
-  run.renderer_options = {policy,
-                          std::chrono::milliseconds(static_cast<int>(options.timeout * 1000)),
-                          worker_directory(), &interrupted(), options.project.folders};
-  run.comparison_patience =
-      std::max(6 * run.renderer_options.timeout, std::chrono::milliseconds(30'000));
-  run.jobs =
-      options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
-  run.stop = &interrupted();
-  return run;
-}
-
-Results run_with_progress(const Suite& suite, RunOptions& run, const SuiteRunOptions& options) {
-  ProgressLine progress(options.progress, "cases");
+CompletedRun run_with_progress(const Suite& suite, RunOptions run, const std::string& kind) {
+  ProgressLine progress(kind, "cases");
   run.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
-  Results results = run_suite(suite, run);
-  run.progress = nullptr;
-  results.tool = kToolName;
-  return results;
+  CompletedRun ran = run_suite(suite, run);
+  ran.results.tool = kToolName;
+  return ran;
 }
 
 constexpr const char* kThisRun = "this run";
@@ -73,17 +57,17 @@ std::optional<RunDifference> difference_at_once(const MergePart& earlier, const 
                                                 const RunOptions& run) {
   Suite first;
   if (!rest.cases.empty()) first.cases.push_back(rest.cases[0]);
-  MergePart asked{kThisRun, run_suite(first, run)};
+  MergePart asked{kThisRun, run_suite(first, run).results};
   asked.results.tool = kToolName;
   return difference_of_runs(earlier, asked);
 }
 
-// Runs what the earlier results do not hold, and merges.
-std::variant<Results, std::string> run_rest(const Suite& suite, RunOptions& run,
-                                            const SuiteRunOptions& options, MergePart earlier,
-                                            FinishedCases* finished) {
-  const std::string name = earlier.name;
-  auto resumed = resume(suite, std::move(earlier));
+// Runs what the begun run does not hold, and merges.
+std::variant<CompletedRun, std::string> run_rest(const Suite& suite, RunOptions run,
+                                                 const std::string& progress, MergePart begun) {
+  FinishedCases* const finished = std::exchange(run.finished, nullptr);
+  const std::string name = begun.name;
+  auto resumed = resume(suite, std::move(begun));
   if (auto* fault = std::get_if<std::string>(&resumed)) return std::move(*fault);
   auto& [held, rest] = std::get<Resumption>(resumed);
   MergePart first{name, std::move(held)};
@@ -94,10 +78,12 @@ std::variant<Results, std::string> run_rest(const Suite& suite, RunOptions& run,
                           first.results.cases.size() == 1 ? "is" : "are", name));
   run.finished = finished;
   if (finished != nullptr) finished->hold(first.results);
-  MergePart second{kThisRun, run_with_progress(rest, run, options)};
-  auto merged = merge_results({std::move(first), std::move(second)}, false);
-  if (auto* results = std::get_if<Results>(&merged)) results->shard = suite.share;
-  return merged;
+  CompletedRun ran = run_with_progress(rest, run, progress);
+  auto merged = merge_results({std::move(first), {kThisRun, std::move(ran.results)}}, false);
+  if (auto* fault = std::get_if<std::string>(&merged)) return std::move(*fault);
+  ran.results = std::get<Results>(std::move(merged));
+  ran.results.shard = suite.share;
+  return ran;
 }
 
 }  // namespace
@@ -145,45 +131,53 @@ std::vector<std::string> SuiteRunOptions::named() const {
   return renderers.empty() ? std::vector<std::string>{kDefaultRenderer} : renderers;
 }
 
-std::optional<Results> run_against(const Suite& suite, const Policy& policy,
-                                   const Profiles& profiles, SuiteRunOptions options) {
-  options.renderers = options.named();
-  if (!are_known(options.renderers)) return std::nullopt;
-  RunOptions run = run_options(policy, profiles, options);
-  const InterruptGuard guard;
-  return run_with_progress(suite, run, options);
+RunOptions SuiteRunOptions::options(const Policy& policy, const Profiles& profiles,
+                                    std::vector<KnownFaults> known) const {
+  RunOptions run;
+  run.policy = policy;
+  run.profiles = profiles;
+  run.renderers = named();
+  run.renderer_options = {policy, std::chrono::milliseconds(static_cast<int>(timeout * 1000)),
+                          worker_directory(), &interrupted(), project.folders};
+  run.comparison_patience =
+      std::max(6 * run.renderer_options.timeout, std::chrono::milliseconds(30'000));
+  run.jobs = jobs > 0 ? jobs : static_cast<int>(std::thread::hardware_concurrency());
+  run.stop = &interrupted();
+  run.known = std::move(known);
+  return run;
 }
 
-std::optional<Results> run_judged(const Suite& suite, const Policy& policy,
-                                  const Profiles& profiles, SuiteRunOptions options,
-                                  JudgedRun judged) {
-  options.renderers = options.named();
-  if (!are_known(options.renderers)) return std::nullopt;
-  RunOptions run = run_options(policy, profiles, options);
-  run.max_unexpected = judged.max_unexpected;
-  if (run.max_unexpected > 0) run.known = judged.known;
-  run.durations = judged.durations;
-  run.likely_first = judged.likely_first;
-  run.earlier = judged.compared;
-  run.kept = judged.kept;
+std::optional<Results> run_against(const Suite& suite, const Policy& policy,
+                                   const Profiles& profiles, const SuiteRunOptions& options) {
+  const RunOptions run = options.options(policy, profiles);
+  if (!are_known(run.renderers)) return std::nullopt;
   const InterruptGuard guard;
-  if (!judged.earlier) run.finished = judged.finished;
-  auto ran = judged.earlier
-                 ? run_rest(suite, run, options, std::move(*judged.earlier), judged.finished)
-                 : run_with_progress(suite, run, options);
-  run.finished = nullptr;
+  return run_with_progress(suite, run, options.progress).results;
+}
+
+std::optional<CompletedRun> run_judged(const Suite& suite, RunOptions run,
+                                       const std::string& progress,
+                                       std::optional<MergePart> begun) {
+  if (!are_known(run.renderers)) return std::nullopt;
+  const InterruptGuard guard;
+  std::variant<CompletedRun, std::string> ran;
+  if (begun)
+    ran = run_rest(suite, run, progress, std::move(*begun));
+  else
+    ran = run_with_progress(suite, run, progress);
   if (const auto* fault = std::get_if<std::string>(&ran)) {
     print_error(*fault);
     return std::nullopt;
   }
-  Results results = std::move(std::get<Results>(ran));
-  results.whole_suite = judged.whole_suite;
+  auto& completed = std::get<CompletedRun>(ran);
+  Results& results = completed.results;
+  results.whole_suite = run.whole_suite;
   const auto apply = [&] {
-    apply_known_faults(results, judged.known);
-    if (judged.strict) hold_contested(results);
+    apply_known_faults(results, run.known);
+    if (run.strict) hold_contested(results);
   };
   apply();
-  if (!judged.reruns || interrupted()) return results;
+  if (!run.reruns || interrupted()) return std::move(completed);
   const RerunCounts counts = rerun_unexpected(suite, run, results);
   if (counts.not_asked > 0)
     print_error(
@@ -192,7 +186,7 @@ std::optional<Results> run_judged(const Suite& suite, const Policy& policy,
                     counts.not_asked, kMostReruns, kMostTimeoutReruns));
   results.interrupted = results.interrupted || counts.stopped;
   apply();
-  return results;
+  return std::move(completed);
 }
 
 namespace {

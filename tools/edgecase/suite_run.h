@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "results/durations.h"
 #include "results/known_faults.h"
 #include "results/results.h"
 #include "run/merge.h"
@@ -34,6 +33,8 @@ struct SuiteRunOptions {
   void take_project(CLI::App& command, bool asks_all = true);
   // The renderers, or the default one where none is given.
   std::vector<std::string> named() const;
+  RunOptions options(const Policy& policy, const Profiles& profiles,
+                     std::vector<KnownFaults> known = {}) const;
 };
 
 // The renderer that is used where none is named.
@@ -45,29 +46,15 @@ bool are_known(const std::vector<std::string>& renderers);
 // Runs the suite. Prints an error and returns nothing when a renderer's name is unknown or given
 // twice.
 std::optional<Results> run_against(const Suite& suite, const Policy& policy,
-                                   const Profiles& profiles, SuiteRunOptions options);
+                                   const Profiles& profiles, const SuiteRunOptions& options);
 
-// What `run` does beyond drawing: known faults, and what hangs on them.
-struct JudgedRun {
-  std::vector<KnownFaults> known;
-  std::size_t max_unexpected = 0;     // RunOptions has it
-  bool reruns = true;                 // ask for unexpected answers again (run/rerun.h)
-  bool whole_suite = false;           // as Results have it
-  bool strict = false;                // what is contested is unexpected, too
-  std::optional<MergePart> earlier;   // a run to go on with (run/merge.h)
-  Durations* durations = nullptr;     // RunOptions has it
-  bool likely_first = true;           // RunOptions has it
-  const Results* compared = nullptr;  // RunOptions::earlier
-  std::size_t* kept = nullptr;        // RunOptions has it
-  FinishedCases* finished = nullptr;  // RunOptions has it
-};
-
-// The same, with the known faults applied. Says on standard error where not all unexpected answers
-// were asked for again, and of an earlier run how much was taken over; one that is not the same in
-// policy, renderers or selection is an error, printed.
-std::optional<Results> run_judged(const Suite& suite, const Policy& policy,
-                                  const Profiles& profiles, SuiteRunOptions options,
-                                  JudgedRun judged);
+// The same, with the known faults applied; `progress` as SuiteRunOptions have it. `begun`: a run to
+// go on with (run/merge.h). Says on standard error where not all unexpected answers were asked for
+// again, and of a begun run how much was taken over; one that is not the same in policy, renderers
+// or selection is an error, printed.
+std::optional<CompletedRun> run_judged(const Suite& suite, RunOptions run,
+                                       const std::string& progress,
+                                       std::optional<MergePart> begun = std::nullopt);
 
 // The known faults in `folder`, which may be missing, or in the files and folders named; those of
 // one driver are joined. Beside those of the installed suite, the folder `known` here counts.

@@ -71,12 +71,12 @@ class CaseRun final : public testing::Environment {
   void run(const std::set<std::size_t>& indices, const std::vector<std::size_t>& renderers) {
     Suite suite;
     for (const std::size_t i : indices) suite.cases.push_back(cases()[i]);
-    SuiteRunOptions options = tests_.run;
+    RunOptions options = tests_.run;
     options.renderers.clear();
     for (const std::size_t r : renderers) options.renderers.push_back(tests_.run.renderers[r]);
-    const auto results = run_judged(suite, tests_.policy, tests_.profiles, options, tests_.judged);
-    if (!results) return;
-    visit_outcomes(*results, [&](const TestOutcome& outcome) {
+    const auto ran = run_judged(suite, options, tests_.progress);
+    if (!ran) return;
+    visit_outcomes(ran->results, [&](const TestOutcome& outcome) {
       if (outcome.result == nullptr) return;
       std::size_t r = 0;
       while (&outcome.one->results[r] != outcome.result) ++r;

@@ -19,10 +19,8 @@ namespace edgecase {
 // The cases and options of the tests.
 struct CaseTests {
   Suite suite;
-  Policy policy;
-  Profiles profiles;
-  SuiteRunOptions run;  // its renderers are named
-  JudgedRun judged;     // without an earlier run
+  RunOptions run;
+  std::string progress;  // as SuiteRunOptions have it
 };
 
 // The prefix of the suites of each renderer's tests; empty if there is only one renderer.

@@ -42,15 +42,14 @@ struct GtestCommand {
 // The tests that the options select, or an exit code if they cannot be loaded.
 std::variant<CaseTests, ExitCode> load_tests(const GtestCommand& command) {
   CaseTests tests;
-  tests.run = command.run;
-  tests.run.renderers = command.run.named();
+  tests.progress = command.run.progress;
+  const std::vector<std::string> renderers = command.run.named();
   Selection selection = command.selection.selection();
-  if (!are_known(tests.run.renderers)) return ExitCode::usage;
+  if (!are_known(renderers)) return ExitCode::usage;
   const bool narrowed =
-      narrow_to_filter(GTEST_FLAG_GET(filter), suite_prefixes(tests.run.renderers), selection);
-  auto policy = command.policy.load(selection, tests.run.renderers);
+      narrow_to_filter(GTEST_FLAG_GET(filter), suite_prefixes(renderers), selection);
+  const auto policy = command.policy.load(selection, renderers);
   if (!policy) return ExitCode::usage;
-  tests.policy = std::move(*policy);
   tests.suite = load_suite(selection);
   print_diagnostics(tests.suite.diagnostics);
   if (tests.suite.is_misspelt) return ExitCode::usage;
@@ -59,11 +58,10 @@ std::variant<CaseTests, ExitCode> load_tests(const GtestCommand& command) {
     return ExitCode::nothing_selected;
   }
   auto known = load_known_faults(suite_folder(selection) / kKnownFolder, command.known);
-  auto profiles = load_profiles(selection, tests.run.renderers);
+  auto profiles = load_profiles(selection, renderers);
   if (!known || !profiles) return ExitCode::usage;
-  tests.profiles = std::move(*profiles);
-  tests.judged.known = std::move(*known);
-  tests.judged.strict = command.strict;
+  tests.run = command.run.options(*policy, *profiles, std::move(*known));
+  tests.run.strict = command.strict;
   return tests;
 }
 

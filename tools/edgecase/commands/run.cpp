@@ -246,54 +246,54 @@ ExitCode run(const RunCommand& command, Watched* watched = nullptr) {
     if (const auto exit = narrow_to_last_failed(command, selection)) return *exit;
   const auto policy = command.policy.load(selection, command.run.renderers);
   if (!policy) return ExitCode::usage;
-
   const Suite suite = load_suite(selection);
   print_diagnostics(suite.diagnostics);
   if (command.list) return print_list(suite);
   // Of what was asked for nothing is there: what an earlier run wrote stays.
   if (suite.is_misspelt) return ExitCode::usage;
   auto known = load_known_faults(suite_folder(selection) / kKnownFolder, command.known);
-  if (!known) return ExitCode::usage;
   const auto profiles = load_profiles(selection, command.run.named());
-  if (!profiles) return ExitCode::usage;
+  if (!known || !profiles) return ExitCode::usage;
   const UserKey key;
   auto found = kept_answers(command, watched, key);
   if (const auto* exit = std::get_if<ExitCode>(&found)) return *exit;
   auto& [earlier, is_own] = std::get<EarlierRun>(found);
-  JudgedRun judged{std::move(*known),         command.max_failures, !command.no_rerun,
-                   is_whole_suite(selection), command.strict,       std::move(earlier)};
+  RunOptions options = command.run.options(*policy, *profiles, std::move(*known));
+  options.max_unexpected = command.max_failures;
+  options.reruns = !command.no_rerun;
+  options.whole_suite = is_whole_suite(selection);
+  options.strict = command.strict;
+  options.likely_first = !command.ask_all;
   ReportFiles files = command.files;
   // What was taken over from another's file is not this user's work.
   if (is_own && (!since || command.ask_all)) files.key = key.get();
   Journal journal(watched == nullptr ? files.json_path() : "", files.key);
-  judged.finished = &journal;
+  options.finished = &journal;
   files.results_are_written = [&journal] { journal.remove(); };
-  if (!judged.earlier && !suite.cases.empty()) journal.start();
-  judged.likely_first = !command.ask_all;
+  if (!earlier && !suite.cases.empty()) journal.start();
   const ComparedBefore before = compared_before(command, since, watched, key);
-  judged.compared = before.get();
-  std::size_t kept = 0;
-  judged.kept = &kept;
-  if (!command.timings.empty()) judged.durations = &files.durations;
+  options.earlier = before.get();
   // What was found is written although somebody asks to stop meanwhile.
   const InterruptGuard guard;
-  auto results = run_judged(suite, *policy, *profiles, command.run, std::move(judged));
-  if (!results) return ExitCode::usage;
+  auto ran = run_judged(suite, std::move(options), command.run.progress, std::move(earlier));
+  if (!ran) return ExitCode::usage;
+  auto& [results, durations, kept] = *ran;
+  if (!command.timings.empty()) files.durations = std::move(durations);
   if (since) {
     ExitCode exit = ExitCode::as_expected;
-    files.since = changes_since(std::move(*since), *results, exit);
+    files.since = changes_since(std::move(*since), results, exit);
     if (!files.since) return exit;
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   ExitCode delivered =
       watched != nullptr && watched->latest
-          ? deliver_changes(*watched->latest, *results, files, command.color, took.count())
-          : deliver_results(*results, files, command.color,
+          ? deliver_changes(*watched->latest, results, files, command.color, took.count())
+          : deliver_results(results, files, command.color,
                             RunCost{took.count(), kept, before.note(kept)});
   if (!write_timings(command.timings, files.durations)) delivered = ExitCode::internal;
-  const ExitCode exit = failing_on(command, *results, delivered, files.since);
-  if (exit != ExitCode::internal) print_way_on(command, *results);
-  if (watched != nullptr) watched->latest = std::move(*results);
+  const ExitCode exit = failing_on(command, results, delivered, files.since);
+  if (exit != ExitCode::internal) print_way_on(command, results);
+  if (watched != nullptr) watched->latest = std::move(results);
   return exit;
 }
 
