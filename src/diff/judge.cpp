@@ -295,6 +295,19 @@ RunReading RunReader::reading() const {
   return reading;
 }
 
+AlternativeSet refuted_in(const RunReading& reading) {
+  AlternativeSet refuted;
+  reading.missed.for_each([&](AlternativeId id) {
+    if (is_open_choice(Cause(id))) refuted.add(id);
+  });
+  reading.refuted.for_each([&](AlternativeId id) {
+    const auto count = reading.alternatives.find(id);
+    const bool helps = count != reading.alternatives.end() && count->second > 0;
+    if (!is_open_choice(Cause(id)) || !helps) refuted.add(id);
+  });
+  return refuted;
+}
+
 RunReading read_run(std::span<Result* const> results) {
   RunReader reader;
   for (const Result* result : results) reader.add(*result);

@@ -46,6 +46,11 @@ struct RunReading {
   std::vector<RuleAnswers> rules;  // what the answers say of each rule about which they were asked
 };
 
+// A choice that the specification leaves open is refuted where it hinders more than it helps, since
+// it may be hidden beside another choice, or where another alternative explains what it does not. A
+// fault is refuted by one answer.
+AlternativeSet refuted_in(const RunReading& reading);
+
 // Reads all results of one renderer on one surface, which compare() has made, one after the other.
 // Results without a rendering add nothing. Results that are judged already give the same reading.
 class RunReader {

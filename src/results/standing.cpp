@@ -78,8 +78,9 @@ void set_by_faults(ResultOutline& answer, const Accounted& accounted) {
   set_standing(answer, Standing::unexpected, known.empty() ? text : text + "; known: " + known);
 }
 
-void set_standing(const CaseList& cases, std::size_t index, std::size_t renderer, Faults faults,
-                  Latitude latitude, ResultOutline& answer) {
+// `accounted` looks into the answer, where a fault must account for it.
+template <class Look>
+void set_standing(ResultOutline& answer, Latitude latitude, const Look& accounted) {
   answer.faults.clear();
   if (answer.again)
     return set_standing(answer, Standing::flake,
@@ -90,8 +91,7 @@ void set_standing(const CaseList& cases, std::size_t index, std::size_t renderer
                           : set_standing(answer, Standing::expected, "");
   if (latitude == Latitude::none && !answer.failure)
     return set_standing(answer, Standing::unexpected, "no latitude is granted");
-  const CaseResults one = cases[index];
-  set_by_faults(answer, account(one, one.results[renderer], faults));
+  set_by_faults(answer, accounted());
   if (answer.verdict == Verdict::contested && answer.standing == Standing::unexpected)
     answer.standing = Standing::tolerated;
 }
@@ -139,10 +139,18 @@ void apply_known_faults(Results& results, std::span<const KnownFaults> known) {
     std::vector<const KnownFault*> faults;
     if (own != nullptr) faults = faults_of(*own, results.renderers[r]);
     for_each_index(results.cases.size(), [&](std::size_t i) {
-      set_standing(results.cases, i, r, faults, results.latitude, results.cases.answer(i, r));
+      set_standing(results.cases.answer(i, r), results.latitude, [&] {
+        const CaseResults one = results.cases[i];
+        return account(one, one.results[r], faults);
+      });
     });
     if (results.latitude == Latitude::opengl) add_faults_seen(faults, r, results);
   }
+}
+
+Standing standing_of(const CaseResults& one, Result result, Faults faults, Latitude latitude) {
+  set_standing(result, latitude, [&] { return account(one, result, faults); });
+  return result.standing;
 }
 
 void hold_contested(Results& results) {

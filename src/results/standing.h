@@ -16,6 +16,11 @@ namespace edgecase {
 // whatever the specification allows.
 void apply_known_faults(Results& results, std::span<const KnownFaults> known);
 
+// The standing that a judged answer to a case of this id and surface has, by the faults that its
+// renderer may have.
+Standing standing_of(const CaseResults& one, Result result,
+                     std::span<const KnownFault* const> faults, Latitude latitude);
+
 // For --strict: contested answers without a known fault become unexpected.
 void hold_contested(Results& results);
 

@@ -1,34 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "run/judging.h"
 
-#include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "diff/coverage/legality.h"
 #include "model/threads.h"
-#include "rules/all_rules.h"
+#include "results/standing.h"
 
 namespace edgecase {
 namespace {
 
 constexpr const char* kReading = "lines read with snap, ";
-
-// A choice that the specification leaves open is refuted where it hinders more than it helps, since
-// it may be hidden beside another choice, or where another alternative explains what it does not. A
-// fault is refuted by one answer.
-AlternativeSet refuted_in(const RunReading& reading) {
-  AlternativeSet refuted;
-  reading.missed.for_each([&](AlternativeId id) {
-    if (is_open_choice(Cause(id))) refuted.add(id);
-  });
-  reading.refuted.for_each([&](AlternativeId id) {
-    const auto count = reading.alternatives.find(id);
-    const bool helps = count != reading.alternatives.end() && count->second > 0;
-    if (!is_open_choice(Cause(id)) || !helps) refuted.add(id);
-  });
-  return refuted;
-}
 
 // Judges the cases of whose outlines `is_wanted` is true, and sets the traits.
 template <class Wanted>
@@ -99,21 +83,29 @@ bool is_of_judging(const std::string& trait) {
   return trait.starts_with(kReading);
 }
 
-bool is_surely_unexpected(const Case& one, const Result& result, Latitude latitude,
+bool is_surely_unexpected(const Case& one, Result result, Latitude latitude,
                           std::span<const KnownFault* const> faults) {
-  const std::string surface = name_of(one.scene.target.surface);
-  const auto is_known = [&](const auto&... what) {
-    return std::ranges::any_of(faults, [&](const KnownFault* fault) {
-      return accounts_for(*fault, one.id, surface, what...);
-    });
+  if (latitude == Latitude::opengl) {
+    std::erase_if(result.disagreements, is_about_a_line);
+    std::erase_if(result.counted, is_about_a_line);
+  }
+  Result* const only = &result;
+  judge({&only, 1}, latitude, {});
+  CaseResults asked;
+  asked.id = one.id;
+  asked.surface = name_of(one.scene.target.surface);
+  return standing_of(asked, std::move(result), faults, latitude) == Standing::unexpected;
+}
+
+void conclude(Results& results, const Conclusion& how) {
+  const auto hold = [&] {
+    apply_known_faults(results, how.known);
+    if (how.strict) hold_contested(results);
   };
-  if (result.failure)
-    return result.failure->kind != FailureKind::unsupported && !is_known(*result.failure);
-  if (latitude == Latitude::none) return !result.disagreements.empty() || !result.values.empty();
-  return any_class(result, [&](const DisagreementClass& d) {
-    return !is_legal(d) && !is_about_a_line(d) && legality_against(d.ruling) == Legality::illegal &&
-           !is_known(result, d);
-  });
+  hold();
+  if (!how.ask_again) return;
+  how.ask_again(results);
+  hold();
 }
 
 }  // namespace edgecase

@@ -3,9 +3,19 @@
 // Judges a run's results, separately for each renderer and surface, because a renderer draws lines
 // in one way on a surface. A run is judged when it ends, and again when shards are merged: a shard
 // alone may read its lines under another snap than the whole run.
+//
+// These are the passes between comparing and reports (CONTRIBUTING.md, "The way of an answer").
+// After each, this holds of all results:
+//
+//   read       it is known which alternatives a renderer's answers on a surface support and refute
+//   judge      each primitive has its likeliest cause, each answer its verdict and fingerprint
+//   hold       each answer has its standing, by the known faults and, if strict, by its verdict
+//   ask again  what was unexpected and was answered otherwise a second time has both answers
+//   hold       that is a flake
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <span>
@@ -54,16 +64,21 @@ void judge_rest(Results& results, const RunReadings& readings);
 // True if judging sets the trait, and not the renderer.
 bool is_of_judging(const std::string& trait);
 
-// Early judgement: a verdict on one answer before the run ends.
-//
-// Verdicts depend on the whole run (diff/judge.h): the reading of lines decides whether a line is
-// legal. Two things do not depend on it: illegal differences of other primitives, and failures. A
-// run that ends after a number of unexpected cases counts the cases that are unexpected for these
-// reasons; others are found at its end.
-
-// True if the answer, compared and not yet judged, is unexpected under every reading of the run.
-// `faults`: the known faults of the renderer's release.
-bool is_surely_unexpected(const Case& one, const Result& result, Latitude latitude,
+// Early judgement: whether one answer, compared and not yet judged, is unexpected under every
+// reading of the run. The reading decides whether a line is legal (diff/judge.h), so lines are left
+// out; the rest is judged and held as at the run's end. A run that ends after a number of
+// unexpected cases counts these; others are found at its end. `faults`: the known faults of the
+// renderer's release.
+bool is_surely_unexpected(const Case& one, Result result, Latitude latitude,
                           std::span<const KnownFault* const> faults);
+
+struct Conclusion {
+  std::span<const KnownFaults> known;
+  bool strict = false;                           // what is contested is unexpected, too
+  std::function<void(Results&)> ask_again = {};  // run/rerun.h; empty: nothing is asked again
+};
+
+// Holds judged results: of a run, of merged shards, or of a file with other known faults.
+void conclude(Results& results, const Conclusion& how);
 
 }  // namespace edgecase

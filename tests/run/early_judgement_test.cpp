@@ -111,6 +111,25 @@ TEST(EarlyJudgement, WithoutLatitude) {
   EXPECT_FALSE(surely(Result{}, &fault, Latitude::none));
 }
 
+// No answer is sure that the run's end holds otherwise.
+TEST(EarlyJudgement, IsThatOfTheRunsEnd) {
+  for (const Latitude latitude : {Latitude::opengl, Latitude::none})
+    for (const Result& answer :
+         {Result{}, differing(false), forbidden(), failed(), failed(FailureKind::unsupported)}) {
+      CaseResults one;
+      one.id = "folder/case";
+      one.surface = "fbo";
+      one.results = {answer};
+      Results results;
+      results.latitude = latitude;
+      results.renderers.resize(1);
+      results.cases.push_back(one);
+      judge_all(results);
+      conclude(results, {});
+      EXPECT_EQ(surely(answer, nullptr, latitude), count_unexpected(results) == 1);
+    }
+}
+
 Result values_only() {
   Result result;
   result.values.resize(1);

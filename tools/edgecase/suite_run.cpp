@@ -14,6 +14,7 @@
 #include "model/renderer.h"
 #include "model/text.h"
 #include "results/standing.h"
+#include "run/judging.h"
 #include "run/merge.h"
 #include "run/renderers.h"
 #include "run/rerun.h"
@@ -84,6 +85,17 @@ std::variant<CompletedRun, std::string> run_rest(const Suite& suite, RunOptions 
   ran.results = std::get<Results>(std::move(merged));
   ran.results.shard = suite.share;
   return ran;
+}
+
+void ask_again(const Suite& suite, const RunOptions& run, Results& results) {
+  if (interrupted()) return;
+  const RerunCounts counts = rerun_unexpected(suite, run, results);
+  if (counts.not_asked > 0)
+    print_error(
+        fmt::format("{} unexpected answers are not asked for again: at most {} are, of "
+                    "those that came too late {}",
+                    counts.not_asked, kMostReruns, kMostTimeoutReruns));
+  results.interrupted = results.interrupted || counts.stopped;
 }
 
 }  // namespace
@@ -172,20 +184,9 @@ std::optional<CompletedRun> run_judged(const Suite& suite, RunOptions run,
   auto& completed = std::get<CompletedRun>(ran);
   Results& results = completed.results;
   results.whole_suite = run.whole_suite;
-  const auto apply = [&] {
-    apply_known_faults(results, run.known);
-    if (run.strict) hold_contested(results);
-  };
-  apply();
-  if (!run.reruns || interrupted()) return std::move(completed);
-  const RerunCounts counts = rerun_unexpected(suite, run, results);
-  if (counts.not_asked > 0)
-    print_error(
-        fmt::format("{} unexpected answers are not asked for again: at most {} are, of "
-                    "those that came too late {}",
-                    counts.not_asked, kMostReruns, kMostTimeoutReruns));
-  results.interrupted = results.interrupted || counts.stopped;
-  apply();
+  Conclusion how{run.known, run.strict};
+  if (run.reruns) how.ask_again = [&](Results& held) { ask_again(suite, run, held); };
+  conclude(results, how);
   return std::move(completed);
 }
 

@@ -14,7 +14,7 @@
 #include "model/text.h"
 #include "reports/text.h"
 #include "results/decisions.h"
-#include "results/standing.h"
+#include "run/judging.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/options.h"
@@ -173,8 +173,7 @@ class Blessing {
   void apply_current() {
     std::vector<KnownFaults> known;
     for (const auto& [driver, file] : files_) known.push_back(file.known);
-    apply_known_faults(results_, known);
-    if (command_.strict) hold_contested(results_);
+    conclude(results_, {known, command_.strict});
   }
 
   void take(DriverFile& file, const std::vector<FaultChange>& changes) {

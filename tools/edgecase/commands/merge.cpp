@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "results/standing.h"
+#include "run/judging.h"
 #include "run/merge.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/output/delivery.h"
@@ -55,8 +55,7 @@ ExitCode merge(const MergeCommand& command) {
   Results& results = std::get<Results>(merged);
   const auto known = load_known_faults(suite_folder_of(results) / kKnownFolder, command.known);
   if (!known) return ExitCode::usage;
-  apply_known_faults(results, *known);
-  if (command.strict) hold_contested(results);
+  conclude(results, {*known, command.strict});
   print_diagnostics(results.diagnostics);
   ExitCode exit = ExitCode::as_expected;
   auto durations = load_durations(command.timings, exit);
