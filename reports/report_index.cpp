@@ -158,7 +158,11 @@ class RendererSums {
 
   std::vector<Cluster> take_clusters() { return clusters_.take(); }
   Json values() const;
-  Json scenes() const;
+  Json scenes() const {
+    Json json = pixel_counts_json(scenes_);
+    json["drawn"] = drawn_;
+    return json;
+  }
 
  private:
   void add_scene(const PixelCounts& counts) {
@@ -184,12 +188,6 @@ Json RendererSums::values() const {
                     {"histogram", std::move(bins)}});
   }
   return list;
-}
-
-Json RendererSums::scenes() const {
-  Json json = pixel_counts_json(scenes_);
-  json["drawn"] = drawn_;
-  return json;
 }
 
 // A case, and what its answers come to.
@@ -321,14 +319,17 @@ Json renderer_json(const Results& results, const ReportTexts& texts, std::size_t
           {"profile", choices_json(texts, info.name)}};
 }
 
-// The page's words and shapes, by verdict, in its order.
-Json verdicts_json() {
-  Json json;
+// The page's words and shapes, by verdict; and by legality, the verdict on a difference without a
+// cause, and on one with a cause that is open.
+void add_verdicts(Json& json, Latitude latitude) {
+  Json& words = json["verdicts"];
   for (const VerdictLook& look : kVerdictLooks)
-    json[name_of(look.verdict)] = {{"rank", kVerdictLooks.size() - 1 - json.size()},
-                                   {"path", look.icon},
-                                   {"means", look.meaning}};
-  return json;
+    words[name_of(look.verdict)] = {{"rank", kVerdictLooks.size() - 1 - words.size()},
+                                    {"path", look.icon},
+                                    {"means", look.meaning}};
+  for (const Legality legality : values_of<Legality>())
+    for (const bool is_open : {false, true})
+      json["judged"][name_of(legality)].push_back(name_of(verdict_of(legality, is_open, latitude)));
 }
 
 void add_texts(Json& json, const ReportTexts& texts) {
@@ -375,8 +376,8 @@ Json report_index(const Results& results, const ReportTexts& texts, const CaseHe
                {"policy", results.policy},
                {"interrupted", results.interrupted},
                {"left_out", results.left_out},
-               {"verdicts", verdicts_json()},
                {"renderers", Json::array()}};
+  add_verdicts(json, results.latitude);
   add_texts(json, texts);
   add_problems(json, results);
   std::vector<RendererSums> sums;

@@ -2,9 +2,10 @@
 //
 // The index of the HTML report as JSON: its first page and the list of cases.
 //
-// {"tool", "policy", "interrupted", "left_out", "verdicts", "renderers", "rules", "rulings",
-// "diagnostics", "faults", "names", "heads", "outcomes", "cases", "order", "untrue", "unexpected"}.
-// "verdicts" are those of verdict_looks.h by name, with "rank", "path" and "means". Many cases
+// {"tool", "policy", "interrupted", "left_out", "verdicts", "judged", "renderers", "rules",
+// "rulings", "diagnostics", "faults", "names", "heads", "outcomes", "cases", "order", "untrue",
+// "unexpected"}. "verdicts" are those of verdict_looks.h by name, with "rank", "path" and "means";
+// "judged" says by legality which is that of a difference without a cause and with one. Many cases
 // share parts, which are stored once: "names" are ids of rules, "heads" the common parts of a
 // file's cases, "outcomes" are [verdict, standing, [index of a rule, worst verdict under it, ...]].
 // A case is [head, rest of its id, fragments, indices of outcomes by renderer, details or absent, 1

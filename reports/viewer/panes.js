@@ -130,12 +130,8 @@ function differenceImage(exact, rendered, width, height, kinds, theme) {
   return imageOf(out, width, height);
 }
 
-// The verdict of one disagreement: that of its pixel, if it is the worst there.
-function verdictOf(d) {
-  if (d.legality === "illegal") return "violation";
-  if (d.legality === "contested") return "contested";
-  return d.cause ? "convention" : "permitted";
-}
+// The verdict of one difference: that of its pixel, if it is the worst there.
+const verdictOf = (legality, cause) => Data.judged[legality][cause ? 1 : 0];
 
 // The worst verdict at each pixel, by its place in the image; those that agree are absent. The
 // report lists a limited number of disagreements and values of an answer.
@@ -147,11 +143,11 @@ function verdictsByPixel(answer, width, exact, rendered) {
   };
   for (const v of answer.values)
     for (let i = 0; i < v.places.length; i += 2)
-      add(v.places[i + 1] * width + v.places[i], v.cause ? "convention" : "permitted");
-  for (const d of answer.disagreements) add(d.y * width + d.x, verdictOf(d));
+      add(v.places[i + 1] * width + v.places[i], verdictOf("legal", v.cause));
+  for (const d of answer.disagreements) add(d.y * width + d.x, verdictOf(d.legality, d.cause));
   for (let at = 0; rendered && at < exact.length; at += 4)
     for (let c = at; c < at + 4; ++c)
-      if (exact[c] !== rendered[c] && !found.has(at / 4)) add(at / 4, "permitted");
+      if (exact[c] !== rendered[c] && !found.has(at / 4)) add(at / 4, verdictOf("legal"));
   return found;
 }
 

@@ -110,7 +110,9 @@ std::span<const Chapter> chapters() {
          "output/blending",
          {RuleId::blend_equation, RuleId::blend_rounding, RuleId::color_mask}},
         {"Pixels", "values/framebuffer", {RuleId::framebuffer_unorm8, RuleId::framebuffer_order}},
-        {"The depth buffer", "values/framebuffer", {RuleId::framebuffer_depth, RuleId::framebuffer_depth_bits}}}},
+        {"The depth buffer",
+         "values/framebuffer",
+         {RuleId::framebuffer_depth, RuleId::framebuffer_depth_bits}}}},
   };
   return all;
 }

@@ -40,5 +40,16 @@ TEST(VerdictLooks, AreThoseOfThePageAndItsScript) {
   }
 }
 
+// As the counts of pixels have it.
+TEST(VerdictLooks, OfADifferenceDependOnTheLatitude) {
+  Results results = sample::results();
+  EXPECT_EQ(sample::index_of(results)["judged"],
+            nlohmann::json({{"legal", {"permitted", "convention"}},
+                            {"contested", {"contested", "contested"}},
+                            {"illegal", {"violation", "violation"}}}));
+  results.latitude = Latitude::none;
+  EXPECT_EQ(sample::index_of(results)["judged"]["legal"][1], "violation");
+}
+
 }  // namespace
 }  // namespace edgecase
