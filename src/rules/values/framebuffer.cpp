@@ -93,24 +93,11 @@ double to_depth(double depth, DepthFormat format, DepthBits bits) {
   if (std::isnan(depth)) return 0;
   const double clamped = std::clamp(depth, 0.0, 1.0);
   if (bits_of(format) == 0) return to_float(clamped);
-  double largest = largest_of(format);
-  double step = 1;  // between integers
-  switch (bits) {
-    case DepthBits::as_set:
-      break;
-    case DepthBits::one_fewer:
-      largest = std::ldexp(1.0, bits_of(format) - 1) - 1;
-      break;
-    case DepthBits::two_fewer:
-      largest = std::ldexp(1.0, bits_of(format) - 2) - 1;
-      break;
-    case DepthBits::lowest_lost:
-      step = 2;
-      break;
-    case DepthBits::two_lowest_lost:
-      step = 4;
-      break;
-  }
+  const bool has_24 = bits_of(format) == 24;
+  const double largest = bits == DepthBits::fewer     ? std::ldexp(1.0, has_24 ? 22 : 15) - 1
+                         : bits == DepthBits::sixteen ? largest_of(DepthFormat::depth16)
+                                                      : largest_of(format);
+  const double step = bits != DepthBits::lowest_lost ? 1 : has_24 ? 4 : 2;  // between integers
   return std::min(nearest(steps_of(clamped, largest / step)) * step, largest) / largest;
 }
 

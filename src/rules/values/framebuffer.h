@@ -45,16 +45,14 @@ Rule depth_bits_rule();    // framebuffer.depth-bits
 
 // The bits that a depth buffer of integers keeps. Of a narrower buffer the largest integer is 1; of
 // one that loses bits, each integer is rounded to a multiple of 2 or 4.
-enum class DepthBits { as_set, one_fewer, two_fewer, lowest_lost, two_lowest_lost };
+enum class DepthBits { as_set, fewer, sixteen, lowest_lost };
 template <>
 inline constexpr auto kNames<DepthBits> = std::to_array<TabledAlternative<DepthBits>>(
     {{DepthBits::as_set, "as-set", Openness::mandated, "those of the format: 16 or 24"},
-     {DepthBits::one_fewer, "one-fewer", Openness::illegal, "15 of 16, 23 of 24"},
-     {DepthBits::two_fewer, "two-fewer", Openness::illegal, "14 of 16, 22 of 24"},
+     {DepthBits::fewer, "fewer", Openness::illegal, "15 of 16, 22 of 24"},
+     {DepthBits::sixteen, "sixteen", Openness::illegal, "16 of 24"},
      {DepthBits::lowest_lost, "lowest-lost", Openness::illegal,
-      "integers are rounded to multiples of 2"},
-     {DepthBits::two_lowest_lost, "two-lowest-lost", Openness::illegal,
-      "integers are rounded to multiples of 4"}});
+      "integers of 16 bits are rounded to multiples of 2, those of 24 bits to multiples of 4"}});
 
 // Bits of an unsigned format; 0 for depth32f and none.
 int bits_of(DepthFormat format);

@@ -61,17 +61,17 @@ TEST(ToDepth, KeepsTheBitsOfAnAlternative) {
     EXPECT_NEAR(steps, std::nearbyint(steps), 1e-8);
     return std::llround(steps);
   };
-  // 0.3 (2^n - 1) for n = 24, 22, 16, 15, 14.
+  // 0.3 (2^n - 1) for n = 24, 22, 16, 15.
   EXPECT_EQ(code(0.3, DepthFormat::depth24, DepthBits::as_set, 24), 5033164);
-  EXPECT_EQ(code(0.3, DepthFormat::depth24, DepthBits::one_fewer, 23), 2516582);
-  EXPECT_EQ(code(0.3, DepthFormat::depth24, DepthBits::two_fewer, 22), 1258291);
+  EXPECT_EQ(code(0.3, DepthFormat::depth24, DepthBits::fewer, 22), 1258291);
+  EXPECT_EQ(code(0.3, DepthFormat::depth24, DepthBits::sixteen, 16), 19660);
   EXPECT_EQ(code(0.3, DepthFormat::depth16, DepthBits::as_set, 16), 19660);
-  EXPECT_EQ(code(0.3, DepthFormat::depth16, DepthBits::one_fewer, 15), 9830);
-  EXPECT_EQ(code(0.3, DepthFormat::depth16, DepthBits::two_fewer, 14), 4915);
-  // 19661.5 of 65535 between 19660 and 19664.
-  const double depth = 19661.5 / 65535;
-  EXPECT_EQ(code(depth, DepthFormat::depth16, DepthBits::lowest_lost, 16), 19662);
-  EXPECT_EQ(code(depth, DepthFormat::depth16, DepthBits::two_lowest_lost, 16), 19660);
+  EXPECT_EQ(code(0.3, DepthFormat::depth16, DepthBits::fewer, 15), 9830);
+  EXPECT_EQ(code(0.3, DepthFormat::depth16, DepthBits::sixteen, 16), 19660);
+  // 19661.5 of 65535 between 19660 and 19662, and 5033165.6 of 2^24 - 1 between 5033164 and
+  // 5033168.
+  EXPECT_EQ(code(19661.5 / 65535, DepthFormat::depth16, DepthBits::lowest_lost, 16), 19662);
+  EXPECT_EQ(code(5033165.6 / 16777215, DepthFormat::depth24, DepthBits::lowest_lost, 24), 5033164);
   for (const DepthBits bits : values_of<DepthBits>()) {
     EXPECT_EQ(to_depth(0, DepthFormat::depth24, bits), 0);
     EXPECT_EQ(to_depth(1, DepthFormat::depth24, bits), 1);
