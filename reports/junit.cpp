@@ -58,19 +58,9 @@ const char* element_of(TestStatus status) {
 }
 
 void add_property(const char* name, const std::string& value, pugi::xml_node properties) {
-  if (value.empty()) return;
   pugi::xml_node property = properties.append_child("property");
   property.append_attribute("name") = name;
   property.append_attribute("value") = one_line(value).c_str();
-}
-
-// By what tests are grouped: the cause of the worst difference, or its rule and kind.
-void add_properties(const Cluster& cluster, pugi::xml_node test) {
-  pugi::xml_node properties = test.append_child("properties");
-  add_property("group", title_of(cluster), properties);
-  add_property("cause", cluster.cause.empty() ? "no cause found" : cluster.cause, properties);
-  add_property("rule", cluster.rule, properties);
-  add_property("kind", cluster.kind, properties);
 }
 
 // The document under construction. A suite's counts are written when the next suite begins.
@@ -88,7 +78,8 @@ class Document {
     test.append_attribute("classname") = fmt::format("{}", fmt::join(outcome.suite, ".")).c_str();
     test.append_attribute("name") = outcome.name.c_str();
     add_time(test, seconds);
-    if (outcome.cluster != nullptr) add_properties(*outcome.cluster, test);
+    if (outcome.cluster != nullptr)
+      add_property("group", title_of(*outcome.cluster), test.append_child("properties"));
     if (outcome.status == TestStatus::passed) {
       if (!outcome.message.empty())
         test.append_child("system-out").text().set(outcome.message.c_str());

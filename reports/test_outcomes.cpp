@@ -25,7 +25,7 @@ constexpr std::size_t kMostOfLine = 1000;
 constexpr std::size_t kMostBytes = 24'000'000;  // of XML, of all tests
 constexpr std::size_t kMarkup = 160;            // at most, around the texts of one test
 
-constexpr std::size_t kProperties = 400;  // at most, of a test with a cause, without its text
+constexpr std::size_t kProperties = 120;  // at most, of a test with a group, without its title
 
 // Bytes that the text takes in an attribute or element of XML.
 std::size_t size_in_xml(std::string_view text) {

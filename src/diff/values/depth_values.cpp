@@ -102,6 +102,8 @@ class DepthComparison {
     ways_.push_back(positions);
     for (const Point position : positions) ways_.emplace_back(positions.size(), position);
     ways_.emplace_back(positions.size(), centre_of_pixel());
+    if (bits_of(format_) > 0)
+      bits_ = changes_beside(RuleId::framebuffer_depth_bits, context.choices);
   }
 
   void run(Result& result) {
@@ -165,6 +167,11 @@ class DepthComparison {
     aggregator_.count_compared(1);
     const double stored = rendered_.depths[rendered_.sample_index(pixel.x, pixel.y, sample)];
     const auto writers = last_writers(context_, fragments, sample);
+    if (writers.front() != nullptr)
+      std::erase_if(bits_, [&](const Change& change) {
+        const DepthBits bits = change.applied_to(context_.choices).output.depth_bits;
+        return stored != to_depth(truth_of(context_, writers.front(), sample).depth, format_, bits);
+      });
     for (const Fragment* writer : writers) {
       const DepthTruth truth = truth_of(context_, writer, sample);
       if (!is_permitted(truth, writer, sample, stored) && !is_permitted(pixel, fragments, writer))
@@ -196,7 +203,9 @@ class DepthComparison {
       for (const Cause& cause : causes[i])
         if (of.cause.empty() || counts[cause] > counts[of.cause]) of.cause = cause;
       if (of.cause.rule() == RuleId::sample_depth) of.rule = RuleId::sample_depth;
-      if (of.cause.empty() && is_one_code_off(miss)) of.ruling = kRulingOnDepthCodes;
+      const bool is_of_codes =
+          of.cause.empty() || of.cause.rule() == RuleId::framebuffer_depth_bits;
+      if (is_of_codes && is_one_code_off(miss)) of.ruling = kRulingOnDepthCodes;
       if (Disagreement* const d = add_disagreement(result, miss.pixel, of))
         explain(truth_of(context_, miss.writer, miss.sample), miss.stored, format_, *d);
     }
@@ -216,11 +225,8 @@ class DepthComparison {
           causes.push_back(change.id);
     for (const MultisampleSwitch choice : switches_beside(context_, miss.fragments))
       add_causes_of_switch(miss, choice, causes);
-    const double depth = truth_of(context_, miss.writer, miss.sample).depth;
-    for (const Change& change : changes_beside(RuleId::framebuffer_depth_bits, context_.choices))
-      if (miss.stored ==
-          to_depth(depth, format_, change.applied_to(context_.choices).output.depth_bits))
-        causes.push_back(change.id);
+    if (miss.writer != nullptr)
+      for (const Change& change : bits_) causes.push_back(change.id);
     return causes;
   }
 
@@ -277,6 +283,7 @@ class DepthComparison {
   std::vector<SamplePositions> ways_;
   ValueAggregator aggregator_{"depth buffer", kRule, kRuling};
   std::vector<Miss> misses_;
+  Changes bits_;  // under which every fragment's depth is stored as it is
 };
 
 }  // namespace
