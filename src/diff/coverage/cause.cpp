@@ -10,6 +10,7 @@
 #include "diff/findings/patience.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
+#include "rules/change_search.h"
 #include "rules/choices.h"
 #include "rules/coverage/homogeneous_line.h"
 
@@ -126,10 +127,12 @@ class Search {
                coverage_.drawn;
   }
 
-  // `base` with one more alternative, which replaces the one of the same rule if there is one.
-  static Changes with(Changes base, const Change& change) {
-    std::erase_if(base, [&](const Change& c) { return c.id.rule == change.id.rule; });
-    base.push_back(change);
+  // `base` with more alternatives, each of which replaces the one of the same rule if there is one.
+  static Changes with(Changes base, const Changes& more) {
+    for (const Change& change : more) {
+      std::erase_if(base, [&](const Change& c) { return c.id.rule == change.id.rule; });
+      base.push_back(change);
+    }
     return base;
   }
 
@@ -150,34 +153,25 @@ class Search {
         coverage_traits(question_.primitive, question_.target), applied(base, question_.chosen));
     const bool likely_first = question_.likely_first && base.empty();
     if (likely_first)
-      if (auto likely = singles(base, in_profile(rules)); !likely.empty()) return likely;
-    std::vector<Changes> found = singles(base, rules);
+      if (auto likely = fitting(base, singles_of(in_profile(rules))); !likely.empty())
+        return likely;
+    std::vector<Changes> found = fitting(base, singles_of(rules));
     if (has_answer(found)) return found;
     if (!found.empty())
       for (Changes& rule : rules)
         std::erase_if(rule, [](const Change& change) { return !is_open_choice(change.id); });
     if (likely_first)
-      if (auto likely = pairs(base, in_profile(rules)); !likely.empty()) return likely;
+      if (auto likely = fitting(base, pairs_of(in_profile(rules))); !likely.empty()) return likely;
     if (question_.is_gross) return found;
-    for (Changes& pair : pairs(base, rules)) found.push_back(std::move(pair));
+    for (Changes& pair : fitting(base, pairs_of(rules))) found.push_back(std::move(pair));
     return found;
   }
 
-  std::vector<Changes> singles(const Changes& base, const std::vector<Changes>& rules) const {
-    std::vector<Changes> found;
-    for (const Changes& rule : rules)
-      for (const Change& change : rule) keep_if_it_reproduces(with(base, change), found);
-    return found;
-  }
-
-  std::vector<Changes> pairs(const Changes& base, const std::vector<Changes>& rules) const {
-    std::vector<Changes> found;
-    for (std::size_t i = 0; i < rules.size(); ++i)
-      for (std::size_t j = i + 1; j < rules.size(); ++j)
-        for (const Change& first : rules[i])
-          for (const Change& second : rules[j])
-            keep_if_it_reproduces(with(with(base, first), second), found);
-    return found;
+  // Those of the sets that, together with `base`, draw the primitive as it was drawn.
+  std::vector<Changes> fitting(const Changes& base, std::vector<Changes> sets) const {
+    for (Changes& set : sets) set = with(base, set);
+    std::erase_if(sets, [&](const Changes& set) { return !reproduces(set); });
+    return sets;
   }
 
   // The alternatives that the profile has.
@@ -194,10 +188,6 @@ class Search {
     auto found = beside(profile_);
     for (Changes& changes : found) changes = needed(std::move(changes));
     return found;
-  }
-
-  void keep_if_it_reproduces(Changes changes, std::vector<Changes>& found) const {
-    if (reproduces(changes)) found.push_back(std::move(changes));
   }
 
   // Drops changes that can be left out.
@@ -275,20 +265,21 @@ class Witnesses {
   Witnesses(const CauseQuestion& question, const PrimitiveCoverage& own)
       : question_(question),
         own_{&question.primitive, &own},
-        rules_(coverage_changes(coverage_traits(question.primitive, question.target),
-                                question.chosen)) {
+        changes_(joined(coverage_changes(coverage_traits(question.primitive, question.target),
+                                         question.chosen))) {
     if (question.profile == nullptr) return;
     // A profile's differences may include rules that are not searched.
-    rules_.push_back(coverage_changes_between(question.primitive, question.target, question.chosen,
-                                              *question.profile));
+    const Changes more = coverage_changes_between(question.primitive, question.target,
+                                                  question.chosen, *question.profile);
+    changes_.insert(changes_.end(), more.begin(), more.end());
   }
 
   // None if a part of the cause is no alternative, or if several alternatives share its name.
   std::optional<RuleChoices> choice_of(const Cause& cause) const {
     RuleChoices choice = question_.chosen;
     for (const AlternativeId part : cause.parts) {
-      const Change* const change = find(part);
-      if (change == nullptr) return std::nullopt;
+      const auto change = std::ranges::find(changes_, part, &Change::id);
+      if (change == changes_.end()) return std::nullopt;
       change->apply(choice);
     }
     if (!draws(own_, choice)) return std::nullopt;
@@ -298,11 +289,9 @@ class Witnesses {
   // True if the choice, with at most one more alternative, draws another primitive as it was drawn.
   bool explains(const RuleChoices& choice, const DrawnPrimitive& other) const {
     if (draws(other, choice)) return true;
-    return std::ranges::any_of(rules_, [&](const Changes& rule) {
-      return std::ranges::any_of(rule, [&](const Change& change) {
-        const RuleChoices changed = change.applied_to(choice);
-        return covers_otherwise(changed, choice) && draws(other, changed) && draws(own_, changed);
-      });
+    return std::ranges::any_of(changes_, [&](const Change& change) {
+      const RuleChoices changed = change.applied_to(choice);
+      return covers_otherwise(changed, choice) && draws(other, changed) && draws(own_, changed);
     });
   }
 
@@ -310,13 +299,6 @@ class Witnesses {
   bool covers_otherwise(const RuleChoices& one, const RuleChoices& other) const {
     const PrimitiveKind kind = question_.primitive.kind;
     return one.of(kind) != other.of(kind);
-  }
-
-  const Change* find(AlternativeId part) const {
-    for (const Changes& rule : rules_)
-      for (const Change& change : rule)
-        if (change.id == part) return &change;
-    return nullptr;
   }
 
   bool draws(const DrawnPrimitive& one, const RuleChoices& choice) const {
@@ -327,7 +309,7 @@ class Witnesses {
 
   const CauseQuestion& question_;
   const DrawnPrimitive own_;
-  std::vector<Changes> rules_;
+  Changes changes_;
 };
 
 }  // namespace

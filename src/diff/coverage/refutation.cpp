@@ -16,6 +16,7 @@
 #include "diff/findings/patience.h"
 #include "raster/coverage_stages.h"
 #include "raster/rasterizer.h"
+#include "rules/change_search.h"
 #include "rules/choices.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/triangle_fill.h"
@@ -307,9 +308,8 @@ SingleChangeList& single_changes(const CoverageTraits& traits, const RuleChoices
     if (known.traits == traits && known.chosen == choices) return known;
   if (all_known.size() >= kMostKnown) all_known.clear();
   SingleChangeList& known = all_known.emplace_back(SingleChangeList{traits, choices, {}, {}});
-  for (const Changes& rule : coverage_changes(traits, chosen))
-    for (const Change& change : rule)
-      known.changes.push_back({change.id, change.applied_to(chosen).of(traits.kind)});
+  for (const Change& change : joined(coverage_changes(traits, chosen)))
+    known.changes.push_back({change.id, change.applied_to(chosen).of(traits.kind)});
   return known;
 }
 
