@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "rules/all_rules.h"
+#include "rules/change_search.h"
 #include "rules/values/framebuffer.h"
 
 namespace edgecase {
@@ -20,7 +21,7 @@ constexpr std::size_t kMostFragments = 16;
 }  // namespace
 
 OperationsCauses::OperationsCauses(const Scene& scene, const RuleChoices& chosen)
-    : changes_(operations_changes(scene, chosen)), chosen_(chosen) {
+    : changes_(operations_changes(scene, chosen)) {
   for (const Change& change : changes_) singles_.push_back({change.id, change.applied_to(chosen)});
 }
 
@@ -64,14 +65,12 @@ std::vector<Cause> OperationsCauses::search(const OperationsQuestion& question) 
 
 void OperationsCauses::search_pairs(const OperationsQuestion& question,
                                     std::vector<Cause>& causes) {
-  for (std::size_t i = 0; i < changes_.size(); ++i)
-    for (std::size_t j = i + 1; j < changes_.size(); ++j) {
-      if (changes_[i].id.rule == changes_[j].id.rule) continue;
-      const RuleChoices choice = changes_[j].applied_to(singles_[i].choice);
-      if (!question.yields(choice)) continue;
-      causes.push_back(Cause(changes_[i].id) + changes_[j].id);
-      found_.push_back({causes.back(), choice});
-    }
+  for_each_pair(changes_, [&](std::size_t i, std::size_t j) {
+    const RuleChoices choice = changes_[j].applied_to(singles_[i].choice);
+    if (!question.yields(choice)) return;
+    causes.push_back(singles_[i].cause + changes_[j].id);
+    found_.push_back({causes.back(), choice});
+  });
 }
 
 std::vector<Cause> OperationsCauses::common() const {

@@ -38,7 +38,6 @@ class OperationsCauses {
   void search_pairs(const OperationsQuestion& question, std::vector<Cause>& causes);
 
   Changes changes_;
-  RuleChoices chosen_;
   std::vector<Candidate> singles_;
   std::vector<Candidate> found_;  // that fitted a sample so far, pairs too
   std::size_t searches_ = 0;
