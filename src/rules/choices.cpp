@@ -140,6 +140,15 @@ Changes changes_beside(RuleId rule, const RuleChoices& chosen) {
   return changes;
 }
 
+Changes changes_beside(std::span<const RuleId> rules, const RuleChoices& chosen) {
+  Changes changes;
+  for (const RuleId rule : rules) {
+    const Changes more = changes_beside(rule, chosen);
+    changes.insert(changes.end(), more.begin(), more.end());
+  }
+  return changes;
+}
+
 std::optional<Change> change_between(RuleId rule, const RuleChoices& from, const RuleChoices& to) {
   const std::string kept = rule_of(rule).slot.kept(to);
   if (kept == rule_of(rule).slot.kept(from)) return std::nullopt;

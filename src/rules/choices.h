@@ -173,8 +173,9 @@ using Changes = std::vector<Change>;
 Cause cause_of(const Changes& changes);
 RuleChoices applied(const Changes& changes, RuleChoices choices);
 
-// The alternatives of a rule, except the chosen one.
+// The alternatives of a rule, or of several one after another, except the chosen ones.
 Changes changes_beside(RuleId rule, const RuleChoices& chosen);
+Changes changes_beside(std::span<const RuleId> rules, const RuleChoices& chosen);
 // The change from one choice of the rule to another; none if both are the same.
 std::optional<Change> change_between(RuleId rule, const RuleChoices& from, const RuleChoices& to);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "rules/all_rules.h"
+#include "rules/change_search.h"
 #include "rules/choices.h"
 
 namespace edgecase {
@@ -17,16 +18,6 @@ RuleChoices with_textures(const TextureChoice& choice) {
   RuleChoices choices;
   choices.textures = choice;
   return choices;
-}
-
-// Every alternative of every rule of a lookup, except those of `chosen`.
-Changes lookup_changes(const TextureChoice& chosen) {
-  Changes changes;
-  for (const RuleId rule : lookup_rules()) {
-    const Changes more = changes_beside(rule, with_textures(chosen));
-    changes.insert(changes.end(), more.begin(), more.end());
-  }
-  return changes;
 }
 
 TextureChoice applied(const TextureChoice& choice, const Change& change) {
@@ -45,24 +36,32 @@ bool differ(const TextureChoice& a, const TextureChoice& b, std::span<const Look
   });
 }
 
+// Every alternative of every rule of a lookup that any of the lookups can distinguish from those of
+// `chosen`.
+Changes shown_changes(const TextureChoice& chosen, std::span<const LookupKinship> kinds) {
+  Changes changes = changes_beside(lookup_rules(), with_textures(chosen));
+  std::erase_if(changes, [&](const Change& change) {
+    return !differ(applied(chosen, change), chosen, kinds);
+  });
+  return changes;
+}
+
 std::vector<TextureWay> singles_beside(const TextureWay& way, const Changes& changes) {
   std::vector<TextureWay> singles;
   for (const Change& change : changes) singles.push_back(changed(way, change));
   return singles;
 }
 
-// All pairs of changes of different rules in which one shows beside the other.
-std::vector<TextureWay> pairs_beside(const TextureWay& way, const Changes& changes,
-                                     std::span<const LookupKinship> kinds) {
+// All pairs of these changes, which alone make `singles`, in which one shows beside the other.
+std::vector<TextureWay> shown_pairs(const Changes& changes, const std::vector<TextureWay>& singles,
+                                    std::span<const LookupKinship> kinds) {
   std::vector<TextureWay> pairs;
-  for (std::size_t i = 0; i < changes.size(); ++i)
-    for (std::size_t j = i + 1; j < changes.size(); ++j) {
-      if (changes[i].id.rule == changes[j].id.rule) continue;
-      TextureWay pair = changed(changed(way, changes[i]), changes[j]);
-      if (differ(pair.choice, applied(way.choice, changes[i]), kinds) &&
-          differ(pair.choice, applied(way.choice, changes[j]), kinds))
-        pairs.push_back(std::move(pair));
-    }
+  for_each_pair(changes, [&](std::size_t i, std::size_t j) {
+    TextureWay pair = changed(singles[i], changes[j]);
+    if (differ(pair.choice, singles[i].choice, kinds) &&
+        differ(pair.choice, singles[j].choice, kinds))
+      pairs.push_back(std::move(pair));
+  });
   return pairs;
 }
 
@@ -214,24 +213,20 @@ std::vector<std::size_t> sample_of(std::size_t count, std::size_t most) {
 TextureWaySearch::TextureWaySearch(const TextureChoice& chosen, const TextureChoice* profile,
                                    std::span<const LookupKinship> kinds) {
   const TextureWay own{chosen, {}, illegal_part(chosen).empty()};
-  Changes changes = lookup_changes(chosen);
-  std::erase_if(changes, [&](const Change& change) {
-    return !differ(applied(chosen, change), chosen, kinds);
-  });
+  const Changes changes = shown_changes(chosen, kinds);
   tiers_.push_back(singles_beside(own, changes));
   const Changes steps = profile != nullptr ? steps_towards(chosen, *profile, kinds) : Changes{};
   if (!steps.empty()) {
     tiers_.push_back(ways_by(steps, own));
     const TextureWay whole = tiers_.back().back();
-    Changes further = lookup_changes(whole.choice);
+    Changes further = shown_changes(whole.choice, kinds);
     std::erase_if(further, [&](const Change& change) {
       return std::ranges::any_of(
-                 steps, [&](const auto& step) { return step.id.rule == change.id.rule; }) ||
-             !differ(applied(whole.choice, change), whole.choice, kinds);
+          steps, [&](const Change& step) { return step.id.rule == change.id.rule; });
     });
     tiers_.push_back(singles_beside(whole, further));
   }
-  tiers_.push_back(pairs_beside(own, changes, kinds));
+  tiers_.push_back(shown_pairs(changes, tiers_.front(), kinds));
 }
 
 std::vector<std::optional<TextureWay>> TextureWaySearch::explain(
