@@ -95,11 +95,19 @@ ResolvedPolicy::ResolvedPolicy(const Policy& policy)
 
 namespace {
 
-// Calls `visit` with every rule that has a choice, in the order of their ids.
-template <class Visit>
-void for_each_choice(const Visit& visit) {
+// The rules with a choice that have a say, in the order of their ids.
+template <class HasSay>
+std::vector<RuleId> rules_where(const HasSay& has_say) {
+  std::vector<RuleId> rules;
   for (const RuleId id : values_of<RuleId>())
-    if (id != RuleId::none && rule_of(id).slot.put != nullptr) visit(rule_of(id));
+    if (id != RuleId::none && rule_of(id).slot.put != nullptr && has_say(rule_of(id).say))
+      rules.push_back(id);
+  return rules;
+}
+
+std::vector<RuleId> rules_for(const CoverageTraits& traits) {
+  return rules_where(
+      [&](const auto& say) { return say.in_coverage != nullptr && say.in_coverage(traits); });
 }
 
 Changes placements_beside(int samples, const SamplePlacement& chosen) {
@@ -174,12 +182,10 @@ CoverageTraits coverage_traits(const ScenePrimitive& primitive, const Target& ta
 
 std::vector<Changes> coverage_changes(const CoverageTraits& traits, const RuleChoices& chosen) {
   std::vector<Changes> rules;
-  for_each_choice([&](const Rule& rule) {
-    if (rule.say.in_coverage == nullptr || !rule.say.in_coverage(traits)) return;
-    rules.push_back(rule.id == RuleId::sample_positions
+  for (const RuleId rule : rules_for(traits))
+    rules.push_back(rule == RuleId::sample_positions
                         ? placements_beside(traits.samples, chosen.of(traits.kind).placement)
-                        : changes_beside(rule.id, chosen));
-  });
+                        : changes_beside(rule, chosen));
   return rules;
 }
 
@@ -190,9 +196,7 @@ Changes coverage_changes_between(const ScenePrimitive& primitive, const Target& 
   const auto add = [&](RuleId rule) {
     if (auto change = change_between(rule, from, to)) changes.push_back(*std::move(change));
   };
-  for_each_choice([&](const Rule& rule) {
-    if (rule.say.in_coverage != nullptr && rule.say.in_coverage(traits)) add(rule.id);
-  });
+  std::ranges::for_each(rules_for(traits), add);
   if (traits.kind == PrimitiveKind::line && !traits.is_multisampled &&
       fills_area(to.lines.line, primitive.state->line_width))
     add(RuleId::triangle_fill_rule);
@@ -200,34 +204,18 @@ Changes coverage_changes_between(const ScenePrimitive& primitive, const Target& 
 }
 
 Changes operations_changes(const Scene& scene, const RuleChoices& chosen) {
-  Changes changes;
-  for_each_choice([&](const Rule& rule) {
-    if (rule.say.in_operations == nullptr || !rule.say.in_operations(scene)) return;
-    const Changes more = changes_beside(rule.id, chosen);
-    changes.insert(changes.end(), more.begin(), more.end());
-  });
-  return changes;
+  const auto rules = rules_where(
+      [&](const auto& say) { return say.in_operations != nullptr && say.in_operations(scene); });
+  return changes_beside(rules, chosen);
 }
 
 const std::vector<RuleId>& lookup_rules() {
-  static const std::vector<RuleId> rules = [] {
-    std::vector<RuleId> ids;
-    for_each_choice([&](const Rule& rule) {
-      if (rule.say.in_lookups) ids.push_back(rule.id);
-    });
-    return ids;
-  }();
+  static const auto rules = rules_where([](const auto& say) { return say.in_lookups; });
   return rules;
 }
 
 const std::vector<RuleId>& coverage_rules() {
-  static const std::vector<RuleId> rules = [] {
-    std::vector<RuleId> ids;
-    for_each_choice([&](const Rule& rule) {
-      if (rule.say.in_coverage != nullptr) ids.push_back(rule.id);
-    });
-    return ids;
-  }();
+  static const auto rules = rules_where([](const auto& say) { return say.in_coverage != nullptr; });
   return rules;
 }
 
