@@ -3,16 +3,13 @@
 // Change search: which sets of alternatives are tried as the cause of what a renderer does, and in
 // which order.
 //
-// A search has a list of changes, those of one rule side by side, and a test of what a choice
-// yields. It tries single alternatives first. Pairs are of different rules, since a choice has one
-// alternative of each, and no pair is tried twice. How far a search goes, its caller decides: to
-// the first set that fits or to the last, to pairs or not.
+// A search has a list of changes and a test of what a choice yields. It tries single alternatives
+// first, then pairs. These are of different rules, since a choice has one alternative of each, and
+// come once. Its caller decides whether one that fits is enough, and which pairs are worth trying.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "rules/choices.h"
@@ -52,16 +49,12 @@ inline std::vector<Changes> pairs_of(const std::vector<Changes>& rules) {
   return sets;
 }
 
-inline Cause cause_of(const Change& change) {
-  return change.id;
-}
-
-// The first of the changes, or of the sets, that fits; no cause if none does. Later ones are not
-// tested.
+// The first of these changes, or of these sets of changes, that fits; no cause if none does.
 template <class Tried, class Fits>
 Cause first_cause(const std::vector<Tried>& all, const Fits& fits) {
-  const auto found = std::ranges::find_if(all, fits);
-  return found != all.end() ? cause_of(*found) : Cause();
+  for (const Tried& tried : all)
+    if (fits(tried)) return cause_of(Changes{tried});
+  return {};
 }
 
 }  // namespace edgecase

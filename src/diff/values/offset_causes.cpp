@@ -12,6 +12,7 @@
 #include "diff/coverage/vertex_latitude.h"
 #include "diff/values/value_diff.h"
 #include "rules/all_rules.h"
+#include "rules/change_search.h"
 #include "rules/choices.h"
 #include "rules/output/polygon_offset.h"
 #include "rules/values/framebuffer.h"
@@ -19,20 +20,16 @@
 namespace edgecase {
 namespace {
 
-Changes unit_changes(const RuleChoices& chosen, DepthFormat format) {
-  return changes_beside(holds_floats(format) ? RuleId::offset_exponent : RuleId::offset_unit,
-                        chosen);
+RuleId unit_rule(DepthFormat format) {
+  return holds_floats(format) ? RuleId::offset_exponent : RuleId::offset_unit;
 }
 
 // Every alternative besides the chosen ones, units first, then every slope with every unit.
 std::vector<Changes> offset_changes(const RuleChoices& chosen, DepthFormat format) {
   const Changes slopes = changes_beside(RuleId::offset_slope, chosen);
-  const Changes units = unit_changes(chosen, format);
-  std::vector<Changes> sets;
-  for (const Changes& singles : {units, slopes})
-    for (const Change& change : singles) sets.push_back({change});
-  for (const Change& slope : slopes)
-    for (const Change& unit : units) sets.push_back({slope, unit});
+  const Changes units = changes_beside(unit_rule(format), chosen);
+  std::vector<Changes> sets = singles_of({units, slopes});
+  for (Changes& pair : pairs_of({slopes, units})) sets.push_back(std::move(pair));
   return sets;
 }
 
@@ -84,14 +81,14 @@ bool has_offset(const ValueContext& context, const Fragment& fragment) {
 RuleId offset_rule(const ValueContext& context, const Fragment& fragment) {
   if (context.primitive_of(fragment).state->polygon_offset->factor != 0)
     return RuleId::offset_slope;
-  return holds_floats(context.scene.target.depth) ? RuleId::offset_exponent : RuleId::offset_unit;
+  return unit_rule(context.scene.target.depth);
 }
 
 Cause cause_of_offset(const ValueContext& context, const Fragment& fragment) {
-  for (const Changes& changes : offset_changes(context.choices, context.scene.target.depth))
-    if (is_inexact(context, fragment, attributes_under(context, fragment, changes)))
-      return cause_of(changes);
-  return {};
+  const auto sets = offset_changes(context.choices, context.scene.target.depth);
+  return first_cause(sets, [&](const Changes& changes) {
+    return is_inexact(context, fragment, attributes_under(context, fragment, changes));
+  });
 }
 
 FollowedOffset followed_offset(const ValueContext& context, const Rendering& rendered) {
@@ -104,11 +101,10 @@ FollowedOffset followed_offset(const ValueContext& context, const Rendering& ren
   // The alternative that yields every depth to the bit, else one with inexact operations.
   for (const Test test : {&is_exact, &is_inexact}) {
     if (all_pass(context, rendered, {}, test)) return {};
-    for (const Changes& changes : offset_changes(context.choices, context.scene.target.depth))
-      if (all_pass(context, rendered, changes, test)) {
-        const RuleId rule = changes.front().id.rule;
-        return {cause_of(changes), rule, rule_of(rule).ruling};
-      }
+    const auto sets = offset_changes(context.choices, context.scene.target.depth);
+    const Cause cause = first_cause(
+        sets, [&](const Changes& changes) { return all_pass(context, rendered, changes, test); });
+    if (!cause.empty()) return {cause, cause.rule(), rule_of(cause.rule()).ruling};
   }
   return {};
 }

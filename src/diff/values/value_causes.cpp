@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <span>
 
 #include "diff/values/sample_writers.h"
 #include "rules/all_rules.h"
+#include "rules/change_search.h"
 #include "rules/choices.h"
 
 namespace edgecase {
@@ -15,6 +17,9 @@ namespace {
 
 constexpr RuleId kRules[] = {RuleId::attribute_smooth, RuleId::attribute_perspective,
                              RuleId::attribute_positions};
+// Where attributes are evaluated, and where depths.
+constexpr RuleId kLocationRules[] = {RuleId::attribute_location, RuleId::attribute_centroid};
+constexpr RuleId kDepthRules[] = {RuleId::sample_depth};
 
 bool yields_color(const PrimitiveAttributes& attributes, Point place, const Fragment& fragment) {
   for (std::size_t c = 0; c < 4; ++c)
@@ -43,7 +48,8 @@ bool goes_by_other_axis(const ValueContext& context, const Fragment& fragment, R
   return passes(context, fragment, choices, test);
 }
 
-// The change of interpolation under which the test passes; none if there is none.
+// The change of interpolation under which the test passes; none if there is none. To list the
+// changes of a rule takes as long as to try one, so each rule waits for its turn.
 Cause first_change(const ValueContext& context, const Fragment& fragment, const Test& test) {
   RuleChoices choices = context.choices;
   choices.values = ValueChoice{};
@@ -63,23 +69,23 @@ bool is_by_major_axis(const Cause& cause) {
 }
 
 Cause cause_of_color(const ValueContext& context, const Fragment& fragment) {
-  const LocationChoice& chosen = context.choices.values.locations;
-  const Point place = context.place_of(fragment, chosen);
-  const Cause cause = first_change(context, fragment, [&](const PrimitiveAttributes& attributes) {
-    return yields_color(attributes, place, fragment);
+  const auto change_at = [&](Point place) {
+    return first_change(context, fragment, [&](const PrimitiveAttributes& attributes) {
+      return yields_color(attributes, place, fragment);
+    });
+  };
+  const auto place_under = [&](const Change& change) {
+    return context.place_of(fragment, locations_of(change, context.choices));
+  };
+  Cause cause = change_at(context.place_of(fragment, context.choices.values.locations));
+  if (!cause.empty()) return cause;
+  const Changes elsewhere = changes_beside(kLocationRules, context.choices);
+  cause = first_cause(elsewhere, [&](const Change& change) {
+    return yields_color(context.values_of(fragment).chosen, place_under(change), fragment);
   });
   if (!cause.empty()) return cause;
-  for (const Change& change : location_changes(context.choices))
-    if (yields_color(context.values_of(fragment).chosen,
-                     context.place_of(fragment, locations_of(change, context.choices)), fragment))
-      return change.id;
-  for (const Change& change : location_changes(context.choices)) {
-    const Point elsewhere = context.place_of(fragment, locations_of(change, context.choices));
-    const Cause other = first_change(context, fragment, [&](const PrimitiveAttributes& attributes) {
-      return yields_color(attributes, elsewhere, fragment);
-    });
-    if (!other.empty()) return other + change.id;
-  }
+  for (const Change& change : elsewhere)
+    if (cause = change_at(place_under(change)); !cause.empty()) return cause + change.id;
   return {};
 }
 
@@ -172,23 +178,29 @@ bool has_depth_place(const ValueContext& context, const Fragment& fragment) {
 }
 
 bool yields(const ValueContext& context, const Fragment& fragment, const LocationChoice& choice) {
-  const Point place = context.place_of(fragment, choice);
-  const PrimitiveAttributes& lawful = context.values_of(fragment).lawful;
-  for (std::size_t c = 0; c < 4; ++c)
-    if (!rounded_to_float(color_inexact(lawful, c, place, {fragment.x, fragment.y}))
-             .contains(to_float(fragment.color[c])))
-      return false;
-  return true;
+  return yields_color(context.values_of(fragment).lawful, context.place_of(fragment, choice),
+                      fragment);
+}
+
+// The first alternative of these rules under which every fragment passes, if not every one does
+// under the policy's own choices.
+template <class Followed, class Passes>
+Followed followed_by_all(const ValueContext& context, const Rendering& rendered,
+                         std::span<const RuleId> rules, const Passes& passes) {
+  if (context.scene.target.samples == 1) return {};
+  const auto all = [&](const LocationChoice& choice) {
+    return std::ranges::all_of(rendered.fragments,
+                               [&](const Fragment& f) { return passes(f, choice); });
+  };
+  if (all(context.choices.values.locations)) return {};
+  const Cause cause =
+      first_cause(changes_beside(rules, context.choices),
+                  [&](const Change& change) { return all(locations_of(change, context.choices)); });
+  if (cause.empty()) return {};
+  return {cause, cause.rule(), rule_of(cause.rule()).ruling};
 }
 
 }  // namespace
-
-Changes location_changes(const RuleChoices& chosen) {
-  Changes changes = changes_beside(RuleId::attribute_location, chosen);
-  const Changes more = changes_beside(RuleId::attribute_centroid, chosen);
-  changes.insert(changes.end(), more.begin(), more.end());
-  return changes;
-}
 
 LocationChoice locations_of(const Change& change, const RuleChoices& chosen) {
   return change.applied_to(chosen).values.locations;
@@ -216,32 +228,18 @@ bool FollowedDepth::explains(const ValueContext& context, const Fragment& fragme
 }
 
 FollowedDepth followed_depth(const ValueContext& context, const Rendering& rendered) {
-  if (context.scene.target.samples == 1) return {};
-  const auto all = [&](const LocationChoice& choice) {
-    return std::ranges::all_of(rendered.fragments, [&](const Fragment& f) {
-      return !has_depth_place(context, f) ||
-             yields_depth(context, f, context.values_of(f).lawful.depth, choice);
-    });
+  const auto passes = [&](const Fragment& f, const LocationChoice& choice) {
+    return !has_depth_place(context, f) ||
+           yields_depth(context, f, context.values_of(f).lawful.depth, choice);
   };
-  if (all(context.choices.values.locations)) return {};
-  for (const Change& change : changes_beside(RuleId::sample_depth, context.choices))
-    if (all(locations_of(change, context.choices)))
-      return {change.id, change.id.rule, rule_of(change.id.rule).ruling};
-  return {};
+  return followed_by_all<FollowedDepth>(context, rendered, kDepthRules, passes);
 }
 
 FollowedLocation followed_location(const ValueContext& context, const Rendering& rendered) {
-  if (context.scene.target.samples == 1) return {};
-  const auto all = [&](const LocationChoice& choice) {
-    return std::ranges::all_of(rendered.fragments, [&](const Fragment& f) {
-      return !has_place(context, f) || yields(context, f, choice);
-    });
+  const auto passes = [&](const Fragment& f, const LocationChoice& choice) {
+    return !has_place(context, f) || yields(context, f, choice);
   };
-  if (all(context.choices.values.locations)) return {};
-  for (const Change& change : location_changes(context.choices))
-    if (all(locations_of(change, context.choices)))
-      return {change.id, change.id.rule, rule_of(change.id.rule).ruling};
-  return {};
+  return followed_by_all<FollowedLocation>(context, rendered, kLocationRules, passes);
 }
 
 }  // namespace edgecase

@@ -40,9 +40,6 @@ bool yields_derivative(const std::array<Interpolant, 4>& color, const QuadPixel&
 // Other locations at which a renderer evaluates the attributes of multisampled draws: the choice
 // that the specification leaves open, found from all fragments of a case together.
 
-// Every alternative of where attributes except depth are evaluated, besides the chosen one.
-Changes location_changes(const RuleChoices& chosen);
-
 // Where attributes and depths are evaluated under a change.
 LocationChoice locations_of(const Change& change, const RuleChoices& chosen);
 
