@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "rules/choices.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "rules/all_rules.h"
 #include "rules/coverage/window.h"
 
@@ -19,54 +16,36 @@ std::string chosen(const Policy& policy, Surface surface, const std::string& rul
   return choice != policy.rules.end() ? choice->second : "";
 }
 
+template <class T>
+const T& one_of(PrimitiveKind kind, const T& point, const T& line, const T& triangle) {
+  switch (kind) {
+    case PrimitiveKind::point:
+      return point;
+    case PrimitiveKind::line:
+      return line;
+    case PrimitiveKind::triangle:
+      return triangle;
+  }
+  return triangle;
+}
+
 }  // namespace
 
 const CoverageChoice& RuleChoices::of(PrimitiveKind kind) const {
-  switch (kind) {
-    case PrimitiveKind::point:
-      return points;
-    case PrimitiveKind::line:
-      return lines;
-    case PrimitiveKind::triangle:
-      return triangles;
-  }
-  return triangles;
+  return one_of(kind, points, lines, triangles);
 }
 
 RuleId coverage_rule_of(PrimitiveKind kind) {
-  switch (kind) {
-    case PrimitiveKind::point:
-      return RuleId::point_ownership;
-    case PrimitiveKind::line:
-      return RuleId::line_diamond_exit;
-    case PrimitiveKind::triangle:
-      return RuleId::triangle_fill_rule;
-  }
-  return RuleId::none;
+  return one_of(kind, RuleId::point_ownership, RuleId::line_diamond_exit,
+                RuleId::triangle_fill_rule);
 }
 
 RuleId snap_rule_of(PrimitiveKind kind) {
-  switch (kind) {
-    case PrimitiveKind::point:
-      return RuleId::point_snap;
-    case PrimitiveKind::line:
-      return RuleId::line_snap;
-    case PrimitiveKind::triangle:
-      return RuleId::triangle_snap;
-  }
-  return RuleId::none;
+  return one_of(kind, RuleId::point_snap, RuleId::line_snap, RuleId::triangle_snap);
 }
 
 RuleId row_order_rule_of(PrimitiveKind kind) {
-  switch (kind) {
-    case PrimitiveKind::point:
-      return RuleId::point_row_order;
-    case PrimitiveKind::line:
-      return RuleId::line_row_order;
-    case PrimitiveKind::triangle:
-      return RuleId::triangle_row_order;
-  }
-  return RuleId::none;
+  return one_of(kind, RuleId::point_row_order, RuleId::line_row_order, RuleId::triangle_row_order);
 }
 
 RuleChoices resolve(const Policy& policy, Surface surface) {
@@ -192,14 +171,13 @@ std::vector<Changes> coverage_changes(const CoverageTraits& traits, const RuleCh
 Changes coverage_changes_between(const ScenePrimitive& primitive, const Target& target,
                                  const RuleChoices& from, const RuleChoices& to) {
   const CoverageTraits traits = coverage_traits(primitive, target);
-  Changes changes;
-  const auto add = [&](RuleId rule) {
-    if (auto change = change_between(rule, from, to)) changes.push_back(*std::move(change));
-  };
-  std::ranges::for_each(rules_for(traits), add);
+  std::vector<RuleId> rules = rules_for(traits);
   if (traits.kind == PrimitiveKind::line && !traits.is_multisampled &&
       fills_area(to.lines.line, primitive.state->line_width))
-    add(RuleId::triangle_fill_rule);
+    rules.push_back(RuleId::triangle_fill_rule);
+  Changes changes;
+  for (const RuleId rule : rules)
+    if (const auto change = change_between(rule, from, to)) changes.push_back(*change);
   return changes;
 }
 

@@ -153,7 +153,8 @@ RuleId coverage_rule_of(PrimitiveKind kind);
 RuleId snap_rule_of(PrimitiveKind kind);
 RuleId row_order_rule_of(PrimitiveKind kind);
 
-// Changes: the alternatives of a rule besides the chosen one, to be tried one after another.
+// Changes: the alternatives of a rule besides the chosen one, to be tried one after another, alone
+// and in pairs (rules/change_search.h).
 
 // Another alternative of one rule.
 struct Change {
