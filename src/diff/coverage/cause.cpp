@@ -39,7 +39,8 @@ bool is_interior_gap(const ScenePrimitive& line, const PrimitiveCoverage& covera
 class Witness {
  public:
   Witness(const ScenePrimitive& primitive, const SampleCoverage& drawn, PixelPosition pixel)
-      : state_(without_vertices(*primitive.state)), primitive_(primitive) {
+      : state_(*primitive.state), primitive_(primitive) {
+    state_.vertices.clear();
     Viewport box{pixel.x, pixel.y, 1, 1};
     if (state_.scissor && !pixels_in(*state_.scissor).contains(pixel)) box.width = 0;
     state_.scissor = box;
@@ -58,12 +59,6 @@ class Witness {
   }
 
  private:
-  static Draw without_vertices(const Draw& draw) {
-    Draw copy = draw;
-    copy.vertices.clear();
-    return copy;
-  }
-
   Draw state_;  // that of the primitive, with the pixel as its scissor rectangle
   ScenePrimitive primitive_;
   SampleCoverage drawn_;
@@ -106,8 +101,8 @@ class Search {
     auto found = beside({});
     if (found.empty()) return preferred(beside_profile());
     // What the renderer does elsewhere is stronger evidence than a set that fits by chance.
-    if (!knows_own(found) && !profile_.empty() && reproduces(profile_))
-      if (Changes own = needed(profile_); is_open(own)) found.push_back(std::move(own));
+    if (!knows_own(found))
+      if (Changes own = of_profile(); is_open(own)) found.push_back(std::move(own));
     return preferred(std::move(found));
   }
 
@@ -204,15 +199,13 @@ class Search {
   }
 
   bool in_profile(const Changes& changes) const {
-    return std::all_of(changes.begin(), changes.end(), [&](const Change& change) {
-      return std::any_of(profile_.begin(), profile_.end(),
-                         [&](const Change& own) { return own.id == change.id; });
+    return std::ranges::all_of(changes, [&](const Change& change) {
+      return std::ranges::find(profile_, change.id, &Change::id) != profile_.end();
     });
   }
 
   bool knows_own(const std::vector<Changes>& found) const {
-    return std::any_of(found.begin(), found.end(),
-                       [&](const Changes& changes) { return in_profile(changes); });
+    return std::ranges::any_of(found, [&](const Changes& changes) { return in_profile(changes); });
   }
 
   std::vector<Changes> preferred(std::vector<Changes> found) const {
