@@ -4,9 +4,9 @@
 //
 // There is one `testsuite` per renderer with one `testcase` per case, whose class is the renderer
 // and the id's folders; reports/test_outcomes.h defines failures and further suites. The message of
-// a passed test is its `system-out`. A test that is not as expected has a property "group": the cause of
-// its worst difference, or its rule and kind, as the terminal and the report title them. A suite
-// has a property "portrait" for each sentence that all answers of its renderer allow.
+// a passed test is its `system-out`. A test that is not as expected has a property "group": the
+// cause of its worst difference, or its rule and kind, as the terminal and the report title them. A
+// suite has a property "portrait" for each sentence that all answers of its renderer allow.
 #pragma once
 
 #include <iosfwd>

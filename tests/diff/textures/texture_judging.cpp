@@ -130,6 +130,15 @@ Sampler disputed_crossover(MipFilter mipmap) {
   return sampler;
 }
 
+// max_lod counts from the base level, and max_level does not.
+Scene limited_scene(int base_level, int max_level, float max_lod) {
+  Sampler sampler = sampler_of(Filter::nearest, MipFilter::nearest);
+  sampler.base_level = base_level;
+  sampler.max_level = max_level;
+  sampler.max_lod = max_lod;
+  return flat_scene(20, kFloats, sampler);
+}
+
 std::vector<TexturedScene> all_scenes() {
   const Sampler between = sampler_of(Filter::linear, MipFilter::linear);
   const Sampler nearest_level = sampler_of(Filter::nearest, MipFilter::nearest);
@@ -158,6 +167,9 @@ std::vector<TexturedScene> all_scenes() {
       {"mirrored", mirrored_scene(Filter::nearest)},
       {"mirrored linear", mirrored_scene(Filter::linear)},
       {"anisotropic", anisotropic_scene()},
+      {"levels up to 2", limited_scene(0, 2, 1000)},
+      {"levels 1 to 3", limited_scene(1, 3, 1000)},
+      {"levels of detail up to 2", limited_scene(1, 1000, 2)},
       {"generated codes", generated_scene(13, 6, kCodes)},
       {"generated even codes", generated_scene(16, 8, kCodes)},
       {"generated sRGB", generated_scene(7, 9, TextureFormat::srgb8)},
