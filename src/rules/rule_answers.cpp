@@ -9,16 +9,17 @@
 namespace edgecase {
 namespace {
 
-// Adds the alternatives of the rules that single ones among the causes are of, without these: what
-// was drawn is drawn by none of them.
+// If single alternatives of one rule are among the causes, adds all others of that rule: what was
+// drawn is drawn by none of them. Where rules vie for it, neither is told.
 void add_others(const std::vector<Cause>& causes, AlternativeSet& against) {
   std::set<AlternativeId> singles;
   for (const Cause& cause : causes)
     if (cause.size() == 1) singles.insert(cause.parts.front());
-  for (const AlternativeId single : singles)
-    for (std::size_t i = 0; i < rule_of(single.rule).alternatives.size(); ++i)
-      if (const AlternativeId id{single.rule, static_cast<std::uint8_t>(i)}; !singles.contains(id))
-        against.add(id);
+  if (singles.empty() || singles.begin()->rule != singles.rbegin()->rule) return;
+  const RuleId rule = singles.begin()->rule;
+  for (std::size_t i = 0; i < rule_of(rule).alternatives.size(); ++i)
+    if (const AlternativeId id{rule, static_cast<std::uint8_t>(i)}; !singles.contains(id))
+      against.add(id);
 }
 
 }  // namespace

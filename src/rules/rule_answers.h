@@ -4,7 +4,8 @@
 //
 // An answer is asked about a rule if it tells two of its alternatives apart. It speaks against each
 // alternative by which one of its primitives, or all of its values, would be another, and for the
-// rest. Answers only add up: their order does not matter, and nothing is kept of each.
+// rest; of a difference that alternatives of several rules explain, it says nothing. Answers only
+// add up: their order does not matter, and nothing is kept of each.
 #pragma once
 
 #include <array>

@@ -24,6 +24,15 @@ void add(int count, const std::vector<std::uint16_t>& numbers, PortraitGatherer&
   for (int i = 0; i < count; ++i) gatherer.add(answer);
 }
 
+TEST(Hypotheses, OfCoverageHaveANumberEach) {
+  const CoverageHypothesis all{.grid = VertexGrid::whole_truncated,
+                               .place = SampledPlace::lower_left,
+                               .is_upside_down = true};
+  EXPECT_TRUE(CoverageHypothesis::of(all.number()).is_upside_down);
+  for (std::uint16_t number = 0; number < all.number(); ++number)
+    ASSERT_EQ(CoverageHypothesis::of(number).number(), number);
+}
+
 TEST(Portrait, TellsTheHypothesisThatExplainsTheMost) {
   PortraitGatherer gatherer;
   add(5, {kCorner, kCornerOfWhole, kAskedOfCoverage}, gatherer);

@@ -73,8 +73,9 @@ TEST(RuleAnswers, BelowNineInTenNoneIsKnown) {
   EXPECT_EQ(remaining_of(answers_on("triangle.fill-rule", gatherer)), "none known");
 }
 
-TEST(RuleAnswers, PairsAndRulesWithoutAlternativesSayNothing) {
+TEST(RuleAnswers, PairsRivalsAndRulesWithoutAlternativesSayNothing) {
   RuleAnswersGatherer gatherer;
+  gatherer.add(explained_by({"triangle.fill-rule=open", "triangle.snap=8-half-even"}));
   gatherer.add(explained_by({"triangle.fill-rule=open + triangle.snap=8-half-even"}));
   gatherer.add(explained_by({"window.origin"}));
   EXPECT_TRUE(gatherer.answers().empty());

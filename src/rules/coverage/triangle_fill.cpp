@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "rules/coverage/window.h"
+
 namespace edgecase {
 
 // The interior is on the left of the edge, so an edge that goes down has it to the right in the
