@@ -295,7 +295,10 @@ bool shows_bias(BiasChoice bias, const LookupKinship& kin) {
 bool shows_limits(LevelLimits limits, const LookupKinship& kin) {
   const Sampler& sampler = kin.use->sampler;
   const Sampler meant = limited(sampler, limits);
-  if (limits == LevelLimits::max_level_as_max_lod && sampler.base_level == 0) return false;
+  // From level 0 on, both limits end at the same level; a level of detail of 0 is magnified.
+  if (limits == LevelLimits::max_level_as_max_lod && sampler.base_level == 0 &&
+      sampler.max_level > 0)
+    return false;
   return meant != sampler;
 }
 

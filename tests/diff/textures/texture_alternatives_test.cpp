@@ -109,6 +109,15 @@ TEST(TextureAlternatives, EachIsNamedAsTheOnlyCauseAndOpenOnesAreFaultsNowhere) 
   EXPECT_GT(differing, least_of(100));
 }
 
+// A largest level of detail of 0 magnifies what a last level of 0 does not.
+TEST(TextureAlternatives, LimitsOfLevel0AreToldByTheFilterOfMagnification) {
+  const std::string choice = "texture.level-limits=max-level-as-max-lod";
+  const Result result = judge_follower(textures_named("level 0 alone"), {choice});
+  EXPECT_EQ(result.verdict, Verdict::violation);
+  ASSERT_FALSE(result.disagreements.empty());
+  for (const Disagreement& d : result.disagreements) EXPECT_EQ(d.cause, choice);
+}
+
 // The same numbers rounded to float32, as a GPU tells them, change nothing of it.
 TEST(TextureAlternatives, AreNamedInFloat32) {
   const std::pair<const char*, const char*> cases[] = {

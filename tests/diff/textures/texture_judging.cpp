@@ -133,6 +133,7 @@ Sampler disputed_crossover(MipFilter mipmap) {
 // max_lod counts from the base level, and max_level does not.
 Scene limited_scene(int base_level, int max_level, float max_lod) {
   Sampler sampler = sampler_of(Filter::nearest, MipFilter::nearest);
+  sampler.magnify = Filter::linear;
   sampler.base_level = base_level;
   sampler.max_level = max_level;
   sampler.max_lod = max_lod;
@@ -167,6 +168,7 @@ std::vector<TexturedScene> all_scenes() {
       {"mirrored", mirrored_scene(Filter::nearest)},
       {"mirrored linear", mirrored_scene(Filter::linear)},
       {"anisotropic", anisotropic_scene()},
+      {"level 0 alone", limited_scene(0, 0, 1000)},
       {"levels up to 2", limited_scene(0, 2, 1000)},
       {"levels 1 to 3", limited_scene(1, 3, 1000)},
       {"levels of detail up to 2", limited_scene(1, 1000, 2)},
