@@ -323,9 +323,10 @@ class Live(CommandTest):
             seen, answers, address = set(), set(), None
             while running.poll() is None:
                 for start in home.glob("*/start.html"):
-                    # It may be read while it is written.
-                    if found := re.search('"(http:[^"]*)"', start.read_text("utf-8")):
-                        address = found[1]
+                    # It may be read while it is written, or after the renderer took it away.
+                    with contextlib.suppress(FileNotFoundError):
+                        if found := re.search('"(http:[^"]*)"', start.read_text("utf-8")):
+                            address = found[1]
                 if address is None:
                     continue
                 with contextlib.suppress(OSError):
