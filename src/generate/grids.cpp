@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <numeric>
 #include <span>
 #include <vector>
 
 #include "generate/random_scenes.h"
 #include "generate/random_shapes.h"
-#include "rules/coverage/diamond_exit.h"
 
 namespace edgecase {
 namespace {
@@ -24,43 +22,11 @@ struct Quarter {
 };
 constexpr std::array<Quarter, 4> kQuarters{{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
 
-DiamondPlace place_from(DiamondPlace first, std::int64_t dx, std::int64_t dy) {
-  return static_cast<DiamondPlace>(static_cast<int>(first) + (dx > 0 ? 1 : 0) + (dy > 0 ? 2 : 0));
-}
-
 Point at_offset(std::int64_t dx, std::int64_t dy) {
   return {Fixed::from_raw(kHalf + dx), Fixed::from_raw(kHalf + dy)};
 }
 
 }  // namespace
-
-LineDirection direction_of(const Segment& segment) {
-  const std::int64_t dx = segment.b.x.raw() - segment.a.x.raw();
-  const std::int64_t dy = segment.b.y.raw() - segment.a.y.raw();
-  const std::int64_t wide = std::abs(dx);
-  const std::int64_t high = std::abs(dy);
-  // In the first quadrant: 0 on the x axis, 4 on the y axis.
-  int place = 2;
-  if (wide != high) place = wide > high ? (high == 0 ? 0 : 1) : (wide == 0 ? 4 : 3);
-  if (dx < 0) place = 8 - place;
-  if (dy < 0) place = (16 - place) % 16;
-  return static_cast<LineDirection>(place);
-}
-
-std::optional<DiamondPlace> place_in_pixel(Point point, PixelPosition pixel) {
-  const Point centre = pixel_centre(pixel.x, pixel.y);
-  const std::int64_t dx = point.x.raw() - centre.x.raw();
-  const std::int64_t dy = point.y.raw() - centre.y.raw();
-  const std::int64_t distance = std::abs(dx) + std::abs(dy);
-  if (distance < kHalf) return DiamondPlace::inside;
-  if (distance == kHalf) {
-    if (dy == 0) return dx < 0 ? DiamondPlace::left_corner : DiamondPlace::right_corner;
-    if (dx == 0) return dy < 0 ? DiamondPlace::bottom_corner : DiamondPlace::top_corner;
-    return place_from(DiamondPlace::lower_left_edge, dx, dy);
-  }
-  if (std::abs(dx) >= kHalf || std::abs(dy) >= kHalf) return std::nullopt;
-  return place_from(DiamondPlace::lower_left_outside, dx, dy);
-}
 
 Point point_at(DiamondPlace place, std::int64_t along) {
   const int number = static_cast<int>(place);
@@ -98,15 +64,6 @@ RawVector random_along(RandomSource& random, LineDirection direction, std::int64
   const bool down = number > 8;
   const RawVector v = x_major ? RawVector{longer, shorter} : RawVector{shorter, longer};
   return {left ? -v.x : v.x, down ? -v.y : v.y};
-}
-
-bool is_tied(const Segment& segment, PixelPosition pixel) {
-  static const DiamondBoundary& open = *find_diamond_boundary("open");
-  static const DiamondBoundary& closed = *find_diamond_boundary("closed");
-  return meets_diamond(segment, pixel.x, pixel.y, open) !=
-             meets_diamond(segment, pixel.x, pixel.y, closed) ||
-         ends_in_diamond(segment, pixel.x, pixel.y, open) !=
-             ends_in_diamond(segment, pixel.x, pixel.y, closed);
 }
 
 namespace {

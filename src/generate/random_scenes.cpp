@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "generate/random_shapes.h"
-#include "raster/rasterizer.h"
-#include "rules/coverage/tie_rule.h"
 
 namespace edgecase {
 namespace {
@@ -45,13 +43,6 @@ Scene random_triangle_scene(RandomSource& random, Surface surface) {
 // 1.25 to 16 pixels, raw.
 std::int64_t random_width(RandomSource& random) {
   return random.between(5, 64) * Fixed::kOne / 4;
-}
-
-CoverageChoice all_boundaries(const char* name) {
-  CoverageChoice choice;
-  choice.ties = *find_tie_rule(name);
-  choice.line.boundary = find_diamond_boundary(name);
-  return choice;
 }
 
 }  // namespace
@@ -111,21 +102,10 @@ Scene random_multisampled_scene(std::uint64_t seed, MultisampledKind kind,
   return scene;
 }
 
-bool has_tie(const Scene& scene, const SamplePositions& samples) {
-  static const CoverageChoice open = all_boundaries("open");
-  static const CoverageChoice closed = all_boundaries("closed");
-  for (const ScenePrimitive& primitive : primitives_of(scene))
-    if (covered_samples(primitive, scene.target, open, samples) !=
-        covered_samples(primitive, scene.target, closed, samples))
-      return true;
-  return false;
-}
-
 namespace {
 
 // Generators of one seed with different purposes are independent.
 constexpr std::uint64_t kStreams = 0x5e00;  // plus an OutputKind
-constexpr std::uint64_t kWindowStreams = 0x1000;
 
 // Mostly comparisons that pass some fragments and reject others.
 constexpr std::array kFunctions{CompareFunction::less,     CompareFunction::less,
@@ -218,10 +198,8 @@ void add_draws(RandomSource& random, OutputKind kind, const Frame& frame,
 }  // namespace
 
 Scene random_output_scene(const RandomOutputScenes& of, std::uint64_t index) {
-  RandomSource random(of.seed,
-                      kStreams + static_cast<std::uint64_t>(of.kind) +
-                          (of.surface == Surface::window ? kWindowStreams : 0),
-                      index);
+  RandomSource random(
+      of.seed, kStreams + static_cast<std::uint64_t>(of.kind) + window_streams(of.surface), index);
   const Frame frame = random_frame(random, kMostMultisampledTarget);
   Scene scene = empty_scene(of.surface, frame.target);
   if (of.kind == OutputKind::blended)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Random scenes for measuring a renderer's rules.
+// Random scenes of one primitive or few, for searches.
 //
 // Each depends only on its seed and index, on every machine: integers from our own generator,
 // nothing from <random>. Sizes are uniform in their logarithms; coordinates lie on grids from whole
@@ -50,6 +50,8 @@ class RandomSource {
     const std::int64_t low = std::int64_t{1} << below(octaves);
     return between(low, 2 * low);
   }
+  // From 0 to less than 1, with 24 bits.
+  double fraction() { return static_cast<double>(below(1 << 24)) * 0x1p-24; }
   template <class T>
   const T& one_of(std::span<const T> values) {
     return values[static_cast<std::size_t>(below(static_cast<std::int64_t>(values.size())))];
@@ -67,7 +69,6 @@ class RandomSource {
 };
 
 constexpr int kLeastRandomTarget = 4;   // pixels
-constexpr int kMostRandomTarget = 256;  // pixels
 constexpr int kMostRandomExtent = 256;  // pixels, of a primitive's bounding rectangle
 // For multisampled targets, whose answers contain every sample.
 constexpr int kMostMultisampledTarget = 64;  // pixels
@@ -104,11 +105,6 @@ enum class MultisampledKind { triangle, line, wide_line };
 Scene random_multisampled_scene(std::uint64_t seed, MultisampledKind kind,
                                 const SamplePositions& samples, std::uint64_t index);
 
-// Whether a tie decides a pixel or sample of the scene: some primitive covers different ones with
-// all boundaries open than with all closed. Vertices are not snapped; lines follow the diamond-exit
-// rule or, on multisampled targets, are rectangles. `samples`: their positions.
-bool has_tie(const Scene& scene, const SamplePositions& samples = {});
-
 // Random scenes of primitives that share vertices, and of vertices near the steps of sub-pixel
 // grids, for searches in addition to the single primitives above.
 //
@@ -131,8 +127,8 @@ Scene random_fan_scene(std::uint64_t seed, Surface surface, std::uint64_t index)
 // decides it.
 Scene random_snap_scene(std::uint64_t seed, Surface surface, std::uint64_t index);
 
-// Random scenes of triangles with fragment operations, for comparing a profile with the renderer
-// that it was measured on. Each depends only on its seed and index, too.
+// Random scenes of triangles with fragment operations. Each depends only on its seed and index,
+// too.
 enum class OutputKind {
   depth_tested,  // intersecting, and of equal depth
   blended,       // any equation and factors

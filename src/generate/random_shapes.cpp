@@ -32,17 +32,12 @@ Scene empty_scene(Surface surface, int size) {
   return scene;
 }
 
-Draw colored_draw(Primitive primitive, std::span<const Point> positions) {
-  Draw draw;
+Scene scene_of(Surface surface, int size, Primitive primitive, std::span<const Point> positions) {
+  Scene scene = empty_scene(surface, size);
+  Draw& draw = scene.draws.emplace_back();
   draw.primitive = primitive;
   for (std::size_t i = 0; i < positions.size(); ++i)
     draw.vertices.push_back({positions[i], Fixed(), color_of(i)});
-  return draw;
-}
-
-Scene scene_of(Surface surface, int size, Primitive primitive, std::span<const Point> positions) {
-  Scene scene = empty_scene(surface, size);
-  scene.draws.push_back(colored_draw(primitive, positions));
   return scene;
 }
 

@@ -41,18 +41,15 @@ constexpr std::int64_t turn(RawVector a, RawVector b) {
   return a.x * b.y - a.y * b.x;
 }
 
-// A point in sixteenths of a pixel.
-constexpr Point in_sixteenths(std::int64_t x, std::int64_t y) {
-  return {Fixed::from_raw(x * Fixed::kOne / 16), Fixed::from_raw(y * Fixed::kOne / 16)};
+// Added to a stream: windows have other scenes, so that both surfaces together show more.
+constexpr std::uint64_t window_streams(Surface surface) {
+  return surface == Surface::window ? 0x1000 : 0;
 }
 
 // A square target without draws, with a viewport of the same size.
 Scene empty_scene(Surface surface, int size);
 
 // One draw; vertex v has colour v of 63 distinct colours without black.
-Draw colored_draw(Primitive primitive, std::span<const Point> positions);
-
-// The scene of that one draw.
 Scene scene_of(Surface surface, int size, Primitive primitive, std::span<const Point> positions);
 
 // Whether the point lies strictly inside a square target, or viewport.

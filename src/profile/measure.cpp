@@ -1,241 +1,366 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cstddef>
-#include <map>
-#include <span>
-#include <string>
+#include <array>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string_view>
 #include <utility>
-#include <vector>
+#include <variant>
 
 #include "diff/compare.h"
-#include "diff/coverage/coverage_compare.h"
-#include "diff/coverage/legality.h"
-#include "diff/judge.h"
 #include "model/threads.h"
-#include "profile/clipping/clipping.h"
-#include "profile/coverage/coverage.h"
-#include "profile/evidence/inference.h"
-#include "profile/output/output.h"
 #include "profile/profile.h"
-#include "profile/samples/samples.h"
-#include "profile/textures/textures.h"
-#include "profile/values/values.h"
 #include "raster/rasterizer.h"
+#include "rules/all_rules.h"
 #include "rules/choices.h"
 
 namespace edgecase {
 namespace {
 
-// Scenes in which a renderer does not follow its own profile, or follows it beyond the
-// specification, sorted into clusters.
-class CounterExamples {
+constexpr std::size_t kMostRounds = 8;
+
+std::size_t speaking_for_best(const RuleAnswers& answers) {
+  return answers.asked - *std::ranges::min_element(answers.against);
+}
+
+// The best alternative: `current` if none is better.
+std::string best_of(const RuleAnswers& answers, const std::string& current) {
+  const auto& alternatives = rule_of(answers.rule).alternatives;
+  const std::size_t best = speaking_for_best(answers);
+  std::optional<std::string> first;
+  for (std::size_t i = 0; i < alternatives.size(); ++i) {
+    if (answers.speaking_for(i) != best) continue;
+    if (alternatives[i].name == current) return current;
+    if (!first) first = alternatives[i].name;
+  }
+  return *first;
+}
+
+std::string chosen_of(const Choices& choices, RuleId rule) {
+  const auto found = choices.find(name_of(rule));
+  return found == choices.end() ? "" : found->second;
+}
+
+// Whether nothing differs from a policy beyond what inexact arithmetic explains.
+bool is_as_told(const Result& result) {
+  return count_disagreements(result) == 0 &&
+         std::ranges::all_of(result.values, [](const ValueAggregate& values) {
+           return values.cause.empty() || values.differing.empty();
+         });
+}
+
+// How far a rendering is from a policy in what one rule is about, in bits: of the values that are
+// permitted, those of their errors in units of the last place; of each other difference as many as
+// a number has.
+using Distances = std::map<RuleId, std::size_t>;
+
+Distances distances_of(const Result& result) {
+  constexpr std::size_t kOfDifference = 32;
+  Distances bits;
+  for (const Disagreement& one : result.disagreements) bits[one.rule] += kOfDifference;
+  for (const CountedDisagreements& many : result.counted)
+    bits[many.rule] += kOfDifference * many.count();
+  for (const ValueAggregate& values : result.values)
+    for (const auto& [exponent, count] : values.ulp_histogram)
+      bits[values.rule] += static_cast<std::size_t>(std::max(exponent + 2, 1)) * count;
+  return bits;
+}
+
+// The rules besides those of coverage that a case names.
+std::vector<RuleId> rules_asked_by(const Case& one) {
+  std::vector<RuleId> rules;
+  for (const std::string& name : one.rules) {
+    RuleId id = RuleId::none;
+    if (parse_name(name, id) && rule_of(id).alternatives.size() > 1 &&
+        rule_of(id).say.in_coverage == nullptr)
+      rules.push_back(id);
+  }
+  return rules;
+}
+
+// Compares one rendering under a policy and under what deviates from it.
+class Question {
  public:
-  // `policy` is the profile; the reported sub-pixel bits are for ruling 4.
-  CounterExamples(Policy policy, Surface surface, int reported_subpixel_bits);
+  Question(const Case& one, const Rendering& rendering, const Policy& policy,
+           const RendererInfo& info)
+      : scene_(one.scene),
+        rendering_(rendering),
+        policy_(policy),
+        facts_(facts_of(info, nullptr)) {}
 
-  // Compares an observation with the profile and the specification, and keeps it if it fails.
-  // Returns true if the profile draws every primitive as it was drawn.
-  bool add(const Observation& observation);
-
-  // Scenes with something that the specification does not allow, whatever the profile; valid after
-  // clusters().
-  std::size_t illegal_scenes() const { return illegal_scenes_; }
-  // Judges the kept observations. Call once.
-  std::vector<ProfileCluster> clusters();
-
- private:
-  Policy policy_;
-  Surface surface_;
-  int bits_;
-  RuleChoices choices_;
-  RuleChoices standard_;
-  std::vector<CaseResults> kept_;
-  std::map<std::string, Scene> scenes_;  // by id
-  std::size_t illegal_scenes_ = 0;
-};
-
-std::vector<PrimitiveCoverage> coverage_under(const RuleChoices& choices, const Scene& scene,
-                                              std::span<const ScenePrimitive> primitives,
-                                              const Observation& observation) {
-  std::vector<PrimitiveCoverage> coverage;
-  for (const ScenePrimitive& primitive : primitives) {
-    const auto index = static_cast<std::size_t>(primitive.index);
-    const bool is_multisampled = scene.target.samples > 1;
-    coverage.push_back(
-        {covered_samples(primitive, scene.target, choices.of(primitive.kind),
-                         observation.positions),
-         is_multisampled ? observation.samples[index] : SampleCoverage{observation.drawn[index]}});
-  }
-  return coverage;
-}
-
-bool agrees(const PrimitiveCoverage& coverage) {
-  return coverage.exact == coverage.drawn;
-}
-
-CounterExamples::CounterExamples(Policy policy, Surface surface, int reported_subpixel_bits)
-    : policy_(std::move(policy)),
-      surface_(surface),
-      bits_(latitude_bits(reported_subpixel_bits)),
-      choices_(resolve(policy_, surface)),
-      standard_(resolve(Policy{}, surface)) {}
-
-bool CounterExamples::add(const Observation& observation) {
-  const Scene& scene = observation.scene;
-  const auto primitives = primitives_of(scene);
-  const auto coverage = coverage_under(choices_, scene, primitives, observation);
-  const bool follows = std::all_of(coverage.begin(), coverage.end(), agrees);
-  if (follows) {
-    // Pixels that the specification's own choice draws, too, are beyond doubt.
-    const auto own = coverage_under(standard_, scene, primitives, observation);
-    if (std::all_of(own.begin(), own.end(), agrees)) return true;
+  Result under(const Policy& policy) const {
+    const ResolvedPolicy resolved(policy);
+    const Rendering exact = rasterize_for_comparison(scene_, resolved, rendering_.sample_positions);
+    return compare(scene_, resolved, exact, rendering_, facts_);
   }
 
-  Result result;
-  compare_coverage({scene, primitives, coverage, choices_, nullptr, Latitude::opengl, bits_, false,
-                    observation.positions},
-                   result);
-  if (result.disagreements.empty()) return follows;
-  CaseResults one;
-  one.id = observation.id;
-  one.surface = name_of(surface_);
-  one.width = scene.target.width;
-  one.height = scene.target.height;
-  one.figure = scene_figure(scene);
-  one.results.push_back(std::move(result));
-  kept_.push_back(std::move(one));
-  scenes_.emplace(observation.id, scene);
-  return follows;
-}
-
-std::vector<ProfileCluster> CounterExamples::clusters() {
-  std::vector<Result*> results;
-  for (CaseResults& one : kept_) results.push_back(&one.results.front());
-  judge(results, Latitude::opengl);
-  illegal_scenes_ = static_cast<std::size_t>(
-      std::count_if(results.begin(), results.end(),
-                    [](const Result* result) { return result->verdict == Verdict::violation; }));
-  std::vector<ProfileCluster> found;
-  ClusterGatherer gatherer;
-  for (const CaseResults& one : kept_) gatherer.add(one, one.results.front());
-  for (Cluster& cluster : gatherer.take()) {
-    Scene smallest = scenes_.at(cluster.smallest_case);
-    found.push_back({std::move(cluster), std::move(smallest)});
-  }
-  return found;
-}
-
-// Each subject depends on the findings of those before it.
-constexpr std::array kSubjects{&kCoverageSubject, &kClippingSubject, &kValueSubject,
-                               &kTextureSubject,  &kSampleSubject,   &kOutputSubject};
-
-// The measurement of one surface.
-class SurfaceMeasurement {
- public:
-  SurfaceMeasurement(Surface surface, const MeasureOptions& options)
-      : options_(options),
-        question_{options.seed, surface, options.scenes_per_kind, options.searched_scenes} {
-    profile_.surface = surface;
-    findings().found = resolve(Policy{}, surface);
-  }
-
-  std::size_t total() const {
-    std::size_t sum = 0;
-    for (const Subject* subject : kSubjects) sum += subject->scene_count(question_.scenes_per_kind);
-    return sum;
-  }
-  const RendererInfo& renderer() const { return info_; }
-  SurfaceProfile take() { return std::move(profile_); }
-
-  void run(Renderer& renderer, const ObservationProgress& progress) {
-    for (const Subject* subject : kSubjects) {
-      measure_subject(*subject, renderer, question_, progress, options_.stop, findings());
-      info_ = renderer.info();
-      if (findings().drawn.scenes == 0) {
-        profile_.unavailable = findings().drawn.first_failure;
-        return;
-      }
+  // Adds the alternatives of a rule that the rendering contradicts: those more than twice as far
+  // from it as the nearest, in what the rule changes. Where the farthest is not four times as far
+  // as that, arithmetic or another fault hides what is followed.
+  void ask(RuleId rule, AlternativeSet& against) const {
+    const std::vector<Distances> distances = distances_under_each(rule);
+    std::vector<std::size_t> bits(distances.size());
+    for (const RuleId subject : values_of<RuleId>()) {
+      std::vector<std::size_t> own;
+      for (const Distances& one : distances)
+        own.push_back(one.contains(subject) ? one.at(subject) : 0);
+      if (std::ranges::count(own, own.front()) == std::ssize(own)) continue;
+      std::ranges::transform(bits, own, bits.begin(), std::plus());
     }
-    gather_counter_examples();
+    const auto [least, most] = std::ranges::minmax(bits);
+    if (most < 4 * least || most == 0) return;
+    for (std::size_t i = 0; i < bits.size(); ++i)
+      if (bits[i] > 2 * least) against.add({rule, static_cast<std::uint8_t>(i)});
   }
 
  private:
-  SurfaceFindings& findings() { return profile_.findings; }
-
-  void gather_counter_examples() {
-    Policy policy = policy_of(findings().choices);
-    policy.name = options_.name;
-    CounterExamples examples(std::move(policy), profile_.surface, info_.subpixel_bits);
-    for (const auto& observations : std::exchange(findings().observations, {}))
-      for (const Observation& observation : observations) {
-        if (options_.stop != nullptr && options_.stop->load()) throw MeasurementStopped{};
-        if (observation.failure.empty()) examples.add(observation);
-      }
-    profile_.clusters = examples.clusters();
-    profile_.illegal_scenes = examples.illegal_scenes();
+  std::vector<Distances> distances_under_each(RuleId rule) const {
+    std::vector<Distances> distances;
+    for (const Alternative& alternative : rule_of(rule).alternatives) {
+      Policy policy = policy_;
+      policy.rules[name_of(rule)] = alternative.name;
+      distances.push_back(distances_of(under(policy)));
+    }
+    return distances;
   }
-
-  const MeasureOptions& options_;
-  Question question_;
-  RendererInfo info_;
-  SurfaceProfile profile_;
+  const Scene& scene_;
+  const Rendering& rendering_;
+  const Policy& policy_;
+  const RendererFacts facts_;
 };
 
-using Measurements = std::vector<std::unique_ptr<SurfaceMeasurement>>;
-
-// Runs the measurements on as many threads as the options say.
-void run_all(const Measurements& measurements, const MakeRenderer& make_renderer,
-             const MeasureOptions& options) {
-  std::size_t total = 0;
-  for (const auto& measurement : measurements) total += measurement->total();
-  std::atomic<std::size_t> done = 0;
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&](std::size_t) {
-    for (std::size_t i = next++; i < measurements.size(); i = next++) {
-      const auto renderer = make_renderer();
-      measurements[i]->run(*renderer, [&](std::size_t more) {
-        const std::size_t now = done += more;
-        if (options.progress) options.progress(now, total);
-      });
-    }
-  };
-  run_threads(static_cast<std::size_t>(std::max(options.jobs, 0)), work);
+// "textures/bias" of "textures/bias/sum:s=2".
+std::string folder_of(const std::string& id) {
+  const std::string file = id.substr(0, id.find(':'));
+  const std::size_t slash = file.rfind('/');
+  return slash == std::string::npos ? "" : file.substr(0, slash);
 }
 
-// The findings of the first surface apply to all; others list their deviations.
-Policy policy_of(const Profile& profile) {
-  Policy policy;
-  policy.name = profile.renderer.name;
-  for (const SurfaceProfile& surface : profile.surfaces) {
-    const Choices& choices = surface.findings.choices;
-    if (policy.rules.empty()) {
-      policy.rules = choices;
+// Of a primitive that no alternative draws by itself, all of the rules of coverage that it is asked
+// about.
+void add_unexplained(const Case& one, const Result& result, AlternativeSet& against) {
+  const auto primitives = primitives_of(one.scene);
+  for (const Result::Evidence& evidence : result.evidence) {
+    if (evidence.primitive < 0 ||
+        std::ranges::any_of(evidence.causes, [](const Cause& cause) { return cause.size() == 1; }))
       continue;
+    const CoverageTraits traits =
+        coverage_traits(primitives[static_cast<std::size_t>(evidence.primitive)], one.scene.target);
+    for (const RuleId rule : coverage_rules()) {
+      if (!rule_of(rule).say.in_coverage(traits) ||
+          std::ranges::find(one.rules, name_of(rule)) == one.rules.end())
+        continue;
+      for (std::size_t i = 0; i < rule_of(rule).alternatives.size(); ++i)
+        against.add({rule, static_cast<std::uint8_t>(i)});
     }
-    Choices own;
-    for (const auto& [rule, alternative] : choices)
-      if (!policy.rules.contains(rule) || policy.rules[rule] != alternative)
-        own[rule] = alternative;
-    if (!own.empty()) policy.surfaces[surface.surface] = std::move(own);
   }
-  return policy;
+}
+
+// What the answers of a round say on one surface.
+struct Gathered {
+  std::size_t cases = 0;
+  std::size_t drawn = 0;
+  std::size_t as_told = 0;
+  std::pair<std::string, std::string> first_refusal;  // the id of the case, and why
+  RuleAnswersGatherer rules;
+  std::map<std::string, RuleAnswersGatherer> by_folder;
+  std::map<Cause, std::size_t> together;  // in how many drawings alternatives draw only together
+
+  void note(const std::string& id, const Outcome& outcome,
+            const std::optional<Contradiction>& found) {
+    ++cases;
+    if (const auto* failure = std::get_if<Failure>(&outcome)) {
+      if (first_refusal.second.empty() || id < first_refusal.first)
+        first_refusal = {id, fmt::format("{}: {}", name_of(failure->kind), failure->reason)};
+      return;
+    }
+    ++drawn;
+    if (found->is_as_told) ++as_told;
+    rules.add(found->against);
+    by_folder[folder_of(id)].add(found->against);
+    for (const Cause& cause : found->together) ++together[cause];
+  }
+};
+
+// The choices that most answers speak for, those before of all other rules.
+Choices spoken_for(const Gathered& gathered, const Choices& before) {
+  Choices choices = before;
+  for (const RuleAnswers& answers : gathered.rules.answers())
+    if (speaking_for_best(answers) > 0)
+      choices[name_of(answers.rule)] = best_of(answers, chosen_of(before, answers.rule));
+  return choices;
+}
+
+// The choices with the alternatives that most drawings follow together, and none by itself.
+Choices followed_together(const Gathered& gathered, const Choices& before) {
+  Choices choices = before;
+  const auto most = std::ranges::max_element(gathered.together, {},
+                                             [](const auto& counted) { return counted.second; });
+  if (most == gathered.together.end()) return choices;
+  for (const AlternativeId& part : most->first.parts)
+    choices[name_of(part.rule)] = rule_of(part.rule).alternatives[part.index].name;
+  return choices;
+}
+
+using Renderers = std::vector<std::unique_ptr<Renderer>>;
+
+// Draws and asks all cases again in each round.
+class Rounds {
+ public:
+  // What is given must outlive this.
+  Rounds(const CaseStore& cases, const Renderers& renderers, const MeasureOptions& options)
+      : cases_(cases),
+        renderers_(renderers),
+        options_(options),
+        slices_(cut_cases(cases, {kSliceWeight})) {}
+
+  Gathered ask(const Policy& policy) {
+    Gathered gathered;
+    next_ = done_ = 0;
+    run_threads(std::min(renderers_.size(), slices_.size()), [&](std::size_t thread) {
+      for (std::size_t i = next_++; i < slices_.size(); i = next_++)
+        ask(slices_[i], *renderers_[thread], policy, gathered);
+    });
+    return gathered;
+  }
+
+ private:
+  static constexpr std::size_t kSliceWeight = 100'000;
+
+  void ask(const CaseSlice& slice, Renderer& renderer, const Policy& policy, Gathered& gathered) {
+    std::vector<Case> cases;
+    for (std::size_t i = slice.begin; i < slice.end; ++i) cases.push_back(cases_[i]);
+    std::vector<Task> tasks;
+    for (const Case& one : cases) tasks.push_back({one.id, &one.scene});
+    renderer.render(tasks, [&](std::size_t index, const Outcome& outcome) {
+      if (options_.stop != nullptr && options_.stop->load()) throw MeasurementStopped{};
+      std::optional<Contradiction> found;
+      if (const auto* rendering = std::get_if<Rendering>(&outcome))
+        found = contradiction_of(cases[index], *rendering, policy, renderer.info());
+      const std::lock_guard lock(mutex_);
+      gathered.note(cases[index].id, outcome, found);
+      if (options_.progress) options_.progress(++done_, cases_.size());
+    });
+  }
+
+  const CaseStore& cases_;
+  const Renderers& renderers_;
+  const MeasureOptions& options_;
+  const std::vector<CaseSlice> slices_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+};
+
+SurfaceProfile profile_of(Surface surface, const Gathered& gathered) {
+  SurfaceProfile profile{surface,
+                         gathered.cases,
+                         gathered.drawn,
+                         gathered.as_told,
+                         gathered.first_refusal.second,
+                         gathered.rules.answers(),
+                         {}};
+  for (const auto& [folder, rules] : gathered.by_folder)
+    if (auto answers = rules.answers(); !answers.empty())
+      profile.by_folder.emplace(folder, std::move(answers));
+  return profile;
+}
+
+// What is known of a surface; `last`: the choices of the last round.
+Choices known_of(const SurfaceProfile& surface, const Choices& last) {
+  Choices choices;
+  for (const RuleAnswers& answers : surface.rules)
+    if (remaining_of(answers) != kNoneKnown)
+      choices[name_of(answers.rule)] = best_of(answers, chosen_of(last, answers.rule));
+  return choices;
+}
+
+// The choices of the first surface apply to all; others list their deviations.
+void add_choices(Surface surface, Choices choices, Policy& policy) {
+  if (policy.rules.empty()) {
+    policy.rules = std::move(choices);
+    return;
+  }
+  std::erase_if(choices, [&](const auto& choice) {
+    const auto first = policy.rules.find(choice.first);
+    return first != policy.rules.end() && first->second == choice.second;
+  });
+  if (!choices.empty()) policy.surfaces[surface] = std::move(choices);
 }
 
 }  // namespace
 
-Profile measure(const MakeRenderer& make_renderer, const MeasureOptions& options) {
-  Measurements measurements;
-  for (const Surface surface : options.surfaces)
-    measurements.push_back(std::make_unique<SurfaceMeasurement>(surface, options));
-  run_all(measurements, make_renderer, options);
+Contradiction contradiction_of(const Case& one, const Rendering& rendering, const Policy& policy,
+                               const RendererInfo& info) {
+  const Question question(one, rendering, policy, info);
+  const Result result = question.under(policy);
+  Contradiction found;
+  found.is_as_told = is_as_told(result);
+  contradicted_by(result).for_each([&](AlternativeId id) {
+    if (rule_of(id.rule).say.in_coverage != nullptr) found.against.add(id);
+  });
+  for (const Result::Evidence& evidence : result.evidence)
+    for (const Cause& cause : evidence.causes)
+      if (cause.size() > 1) found.together.insert(cause);
+  add_unexplained(one, result, found.against);
+  for (const RuleId rule : rules_asked_by(one)) question.ask(rule, found.against);
+  return found;
+}
+
+CaseStore cases_that_tell(const CaseStore& all, std::size_t of_each_rule) {
+  constexpr std::size_t kHeavy = 3'000;  // CaseStore::weight
+  std::map<std::pair<std::string, Surface>, std::vector<std::size_t>> naming;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all.weight(i) > kHeavy) continue;
+    const Case one = all[i];
+    for (const std::string& rule : one.rules) naming[{rule, one.scene.target.surface}].push_back(i);
+  }
+  std::set<std::size_t> chosen;
+  for (const auto& [rule, indices] : naming) {
+    const std::size_t count = std::min(of_each_rule, indices.size());
+    for (std::size_t i = 0; i < count; ++i) chosen.insert(indices[i * indices.size() / count]);
+  }
+  CaseStore cases;
+  for (const std::size_t index : chosen) cases.push_back(all[index]);
+  return cases;
+}
+
+Profile measure(const CaseStore& cases, const MakeRenderer& make_renderer,
+                const MeasureOptions& options) {
+  Renderers renderers;
+  for (int i = 0; i < std::max(options.jobs, 1); ++i) renderers.push_back(make_renderer());
+  std::map<Surface, CaseStore> on;
+  for (const Case& one : cases) on[one.scene.target.surface].push_back(one);
 
   Profile profile;
-  profile.renderer = measurements.front()->renderer();
+  profile.policy.name = options.name;
+  Policy policy;  // of one round; another surface begins where the one before ended
+  for (const auto& [surface, own] : on) {
+    Rounds rounds(own, renderers, options);
+    Gathered gathered = rounds.ask(policy);
+    std::size_t asked = 1;
+    while (asked < kMostRounds) {
+      Policy next = policy;
+      next.rules = spoken_for(gathered, policy.rules);
+      const bool is_spoken_for = next.rules != policy.rules;
+      if (!is_spoken_for) next.rules = followed_together(gathered, policy.rules);
+      if (next.rules == policy.rules) break;
+      Gathered then = rounds.ask(next);
+      ++asked;
+      if (!is_spoken_for && then.as_told <= gathered.as_told) break;
+      policy = std::move(next);
+      gathered = std::move(then);
+    }
+    profile.rounds = std::max(profile.rounds, asked);
+    profile.surfaces.push_back(profile_of(surface, gathered));
+    add_choices(surface, known_of(profile.surfaces.back(), policy.rules), profile.policy);
+  }
+  profile.renderer = renderers.front()->info();
   profile.renderer.name = options.name;
-  profile.seed = options.seed;
-  profile.scenes_per_kind = options.scenes_per_kind;
-  for (auto& measurement : measurements) profile.surfaces.push_back(measurement->take());
-  profile.policy = policy_of(profile);
   return profile;
 }
 

@@ -26,7 +26,7 @@ void add_others(const std::vector<Cause>& causes, AlternativeSet& against) {
 
 std::string remaining_of(const RuleAnswers& answers) {
   const std::size_t least = *std::ranges::min_element(answers.against);
-  if (10 * (answers.asked - least) < 9 * answers.asked) return "none known";
+  if (10 * (answers.asked - least) < 9 * answers.asked) return kNoneKnown;
   std::string names;
   for (std::size_t i = 0; i < answers.against.size(); ++i)
     if (answers.against[i] == least)
@@ -42,9 +42,13 @@ std::vector<std::pair<std::string, std::size_t>> names_spoken_for(const RuleAnsw
   return names;
 }
 
-void RuleAnswersGatherer::add(const Result& result) {
+AlternativeSet contradicted_by(const Result& result) {
   AlternativeSet against = result.refuted;
   for (const Result::Evidence& evidence : result.evidence) add_others(evidence.causes, against);
+  return against;
+}
+
+void RuleAnswersGatherer::add(const AlternativeSet& against) {
   RuleId latest = RuleId::none;
   against.for_each([&](AlternativeId id) {
     const auto rule = static_cast<std::size_t>(id.rule);

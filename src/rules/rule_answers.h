@@ -30,7 +30,8 @@ struct RuleAnswers {
 };
 
 // The alternatives that most answers speak for, if those are nine in ten: "left-bottom", or, where
-// nothing tells them apart, "left-bottom or left-top"; else "none known".
+// nothing tells them apart, "left-bottom or left-top"; else kNoneKnown.
+inline constexpr const char* kNoneKnown = "none known";
 std::string remaining_of(const RuleAnswers& answers);
 
 // How many answers speak for each alternative, those for which none does left out.
@@ -47,9 +48,13 @@ void to_json(Json& json, const RuleAnswers& answers) {
   for (const auto& [name, count] : names_spoken_for(answers)) json["for"][name] = count;
 }
 
+// What an answer speaks against.
+AlternativeSet contradicted_by(const Result& result);
+
 class RuleAnswersGatherer {
  public:
-  void add(const Result& result);
+  void add(const Result& answer) { add(contradicted_by(answer)); }
+  void add(const AlternativeSet& against);  // of one answer
   // Of the rules about which an answer was asked, in the catalogue's order.
   std::vector<RuleAnswers> answers() const;
 

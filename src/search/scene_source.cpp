@@ -12,11 +12,11 @@
 
 #include "casefile/json/text.h"
 #include "casefile/scene/fragment_operations.h"
+#include "generate/clip_scenes.h"
 #include "generate/grids.h"
 #include "generate/random_scenes.h"
-#include "profile/clipping/clipping.h"
-#include "profile/textures/textures.h"
-#include "profile/values/values.h"
+#include "generate/texture_scenes.h"
+#include "generate/value_scenes.h"
 #include "rules/samples/sample_placement.h"
 
 namespace edgecase {

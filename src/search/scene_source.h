@@ -28,7 +28,7 @@ namespace edgecase {
 //
 // A family concerns some rules. Each of its scenes depends only on seed, surface and index, on
 // every machine, and is built round ties and boundaries where possible; so these three identify a
-// find. Most generators are those used for measuring renderers (src/generate, src/profile).
+// find. Generators lie in src/generate.
 struct Family {
   const char* name;   // "shared-edges"
   const char* about;  // a phrase

@@ -29,7 +29,7 @@ ALLOWED = {
     "diff": {"raster", "rules", "model", "exact"},
     "results": {"wire", "rules", "model"},
     "run": SRC - {"generate", "profile", "search"},
-    "generate": {"raster", "rules", "model", "exact"},
+    "generate": {"casefile", "model", "exact"},
     "profile": SRC,
     "search": SRC,
     "reference": {"model", "wire", "exact"},
@@ -43,7 +43,6 @@ ALLOWED = {
 ROOMS = {
     "casefile": ("json", "mesh", "scene", "sweep", ""),
     "diff": ("findings", "coverage", "values", "output", "samples", "textures", ""),
-    "profile": ("evidence", "coverage", "clipping", "values", "textures", "samples", "output", ""),
 }
 
 # A library's headers -> modules that may include them.

@@ -41,8 +41,6 @@ CLEAN |= {
     "src/casefile/json/a.h": '#include "casefile/json/b.h"\n',
     "src/casefile/sweep/a.cpp": '#include "casefile/scene/a.h"\n#include "casefile/json/a.h"\n',
     "src/casefile/a.cpp": '#include "casefile/a.h"\n#include "casefile/sweep/a.h"\n',
-    "src/profile/textures/a.cpp": '#include "profile/values/a.h"\n#include "profile/evidence/a.h"\n',
-    "src/profile/a.cpp": '#include "profile/output/a.h"\n#include "profile/a.h"\n',
     "src/diff/output/a.cpp": '#include "diff/coverage/a.h"\n#include "diff/values/a.h"\n',
     "src/diff/a.cpp": '#include "diff/textures/a.h"\n#include "diff/samples/a.h"\n',
 }
@@ -64,9 +62,6 @@ FAULTS = [
     ("src/casefile/scene/z.cpp", '#include "casefile/sweep/a.h"', "lies above scene"),
     ("src/casefile/sweep/z.cpp", '#include "casefile/loader.h"', "lies above sweep"),
     ("src/casefile/z.cpp", '#include "casefile/other/a.h"', "no such folder"),
-    ("src/profile/evidence/z.h", '#include "profile/values/a.h"', "lies above evidence"),
-    ("src/profile/values/z.cpp", '#include "profile/textures/a.h"', "lies above values"),
-    ("src/profile/output/z.cpp", '#include "profile/profile.h"', "lies above output"),
     ("src/diff/coverage/z.cpp", '#include "diff/values/a.h"', "lies above coverage"),
     ("src/diff/values/z.h", '#include "diff/samples/a.h"', "lies above values"),
     ("src/diff/samples/z.cpp", '#include "diff/textures/a.h"', "lies above samples"),

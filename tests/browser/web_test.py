@@ -110,6 +110,11 @@ class Page(CommandTest):
         self.assertEqual(self.state(), "done")
         [renderer] = results["renderers"]
         self.assertIn("SwiftShader", renderer["device"])
+        # What a page hands back is measured, too.
+        profile = self.command("profile", "--against", renderer["name"], "--json", "-").stdout
+        rules = json.loads(profile)["policy"]["rules"]
+        self.assertEqual(rules["point.ownership"], "left-bottom")
+        self.assertEqual(rules["triangle.snap"], "4-half-even")
         self.assertIn("Chromium", renderer["traits"]["browser"])
         self.assertEqual(renderer["traits"]["recorded"], "webgl:chromium")
         found = list(verdicts(results).values())
@@ -121,26 +126,6 @@ class Page(CommandTest):
         self.assertGreater(self.counts()["drawn"], len(found) / 2)
         self.assertLessEqual({url.split(":")[0] for url in self.browser.requests()},
                              {"about", "file"})
-
-    def test_a_page_of_probes_has_what_a_profile_asks(self):
-        """All of them take minutes to draw: here every fifth of the random scenes of coverage."""
-        page = self.page_of("--probes")
-        self.assertLess(page.stat().st_size, 8_000_000)
-        self.open(page)
-        recording = self.draw("""
-            const whole = page.draw;
-            page.draw = async function (one) {
-              const isAsked = /^(point|line|triangle)\\/\\d*[05]$/.test(one.id);
-              return isAsked ? whole.call(this, one) : (++this.done, true);
-            };""")
-        run = self.command("profile", "--against", recording, "--json", "profile.json")
-        self.assertIn("SwiftShader", run.stdout)
-        found = json.loads((self.folder / "profile.json").read_text("utf-8"))
-        [surface] = found["surfaces"]
-        self.assertEqual(surface["scenes"], 60)
-        follows = {trait["id"]: trait["follows"] for trait in surface["traits"]}
-        self.assertEqual(follows["point.ownership"], "left-bottom")
-        self.assertEqual(follows["triangle.snap"], "4-half-even")
 
     def test_a_tab_that_is_about_to_be_closed_asks(self):
         """What was drawn until then can be saved, and says that it is not all."""

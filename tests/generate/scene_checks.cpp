@@ -6,6 +6,8 @@
 #include <bit>
 
 #include "casefile/scene/viewport.h"
+#include "raster/rasterizer.h"
+#include "rules/coverage/tie_rule.h"
 
 namespace edgecase {
 namespace {
@@ -28,6 +30,26 @@ std::string fault_of_side(Fixed coordinate, int size, char axis) {
   return inexactness ? inexactness->message : "";
 }
 
+// What OpenGL computes of clip coordinates: is one rounded on its way to them, or back to window
+// coordinates?
+std::string rounding_of(const Scene& scene) {
+  const Viewport& viewport = scene.viewport;
+  for (const Draw& draw : scene.draws)
+    for (const Vertex& vertex : draw.vertices)
+      if (!arrives(vertex.position.x, viewport.x, viewport.width) ||
+          !arrives(vertex.position.y, viewport.y, viewport.height))
+        return fmt::format("({}, {}) is rounded", vertex.position.x.to_double(),
+                           vertex.position.y.to_double());
+  return "";
+}
+
+CoverageChoice all_boundaries(const char* name) {
+  CoverageChoice choice;
+  choice.ties = *find_tie_rule(name);
+  choice.line.boundary = find_diamond_boundary(name);
+  return choice;
+}
+
 }  // namespace
 
 std::string fault_of(const Scene& scene) {
@@ -48,15 +70,14 @@ std::string fault_of(const Scene& scene) {
   return rounding_of(scene);
 }
 
-std::string rounding_of(const Scene& scene) {
-  const Viewport& viewport = scene.viewport;
-  for (const Draw& draw : scene.draws)
-    for (const Vertex& vertex : draw.vertices)
-      if (!arrives(vertex.position.x, viewport.x, viewport.width) ||
-          !arrives(vertex.position.y, viewport.y, viewport.height))
-        return fmt::format("({}, {}) is rounded", vertex.position.x.to_double(),
-                           vertex.position.y.to_double());
-  return "";
+bool has_tie(const Scene& scene, const SamplePositions& samples) {
+  static const CoverageChoice open = all_boundaries("open");
+  static const CoverageChoice closed = all_boundaries("closed");
+  for (const ScenePrimitive& primitive : primitives_of(scene))
+    if (covered_samples(primitive, scene.target, open, samples) !=
+        covered_samples(primitive, scene.target, closed, samples))
+      return true;
+  return false;
 }
 
 std::uint64_t fingerprint_of(const Scene& scene) {

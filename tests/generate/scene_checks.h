@@ -16,9 +16,10 @@ namespace edgecase {
 // a square power of two from 4 to 256, the viewport as large, every vertex strictly inside.
 std::string fault_of(const Scene& scene);
 
-// The same of clip coordinates alone, computed as OpenGL does: is one rounded on its way to clip
-// coordinates, or back to window coordinates?
-std::string rounding_of(const Scene& scene);
+// Whether a tie decides a pixel or sample of the scene: some primitive covers different ones with
+// all boundaries open than with all closed. Vertices are not snapped; lines follow the diamond-exit
+// rule or, on multisampled targets, are rectangles. `samples`: their positions.
+bool has_tie(const Scene& scene, const SamplePositions& samples = {});
 
 // A number that depends on every vertex, size and state of a scene, and on nothing else.
 std::uint64_t fingerprint_of(const Scene& scene);

@@ -28,6 +28,11 @@ bool is_area(const LineScene& scene) {
          scene.algorithm == LineAlgorithm::parallelogram;
 }
 
+// Whether the ownership of a diamond's boundary matters to the algorithm.
+bool tests_diamonds(LineAlgorithm algorithm) {
+  return algorithm == LineAlgorithm::diamond_exit || algorithm == LineAlgorithm::walk_ends_tested;
+}
+
 }  // namespace
 
 void Tally::add(const Tally& other) {

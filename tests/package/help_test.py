@@ -171,7 +171,7 @@ class Bash(HelpTest):
     def test_values(self):
         self.assertEqual(self.complete("edgecase run --color "), {"auto", "always", "never"})
         self.assertEqual(self.complete("edgecase run --color=al"), {"always"})
-        self.assertEqual(self.complete("edgecase profile --surface w"), {"window"})
+        self.assertEqual(self.complete("edgecase fuzz --surface w"), {"window"})
         self.assertIn("line.diamond-exit", self.complete("edgecase draw x.json --rule line."))
         # readline takes what stands behind a colon for a word of its own.
         self.assertEqual(self.complete("edgecase render --with osmesa:"), {"llvmpipe", "softpipe"})

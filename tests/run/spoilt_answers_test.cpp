@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -22,24 +21,13 @@
 #include "model/rendering_fields.h"
 #include "raster/rasterizer.h"
 #include "run/selection.h"
+#include "tests/support/core_suite.h"
 #include "tests/support/share.h"
 #include "wire/fragments.h"
 #include "wire/json_values.h"
 
 namespace edgecase {
 namespace {
-
-namespace fs = std::filesystem;
-
-Suite core_suite() {
-  Selection selection;
-  selection.paths = {fs::path(EDGECASE_ROOT) / "cases"};
-  selection.only.emplace();
-  std::ifstream list(fs::path(EDGECASE_ROOT) / "cases/core.txt");
-  for (std::string line; std::getline(list, line);)
-    if (!line.empty() && line[0] != '#') selection.only->ids.insert(line);
-  return load_suite(selection);
-}
 
 // Picks an element, another one for each `turn`, such that neighbours are picked seldom.
 template <class Numbers>

@@ -17,7 +17,7 @@
 #include "search/find.h"
 #include "search/scene_size.h"
 #include "search/trial.h"
-#include "tests/profile/altered_renderer.h"
+#include "tests/support/altered_renderer.h"
 #include "tests/support/share.h"
 
 namespace edgecase {

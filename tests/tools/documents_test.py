@@ -47,6 +47,8 @@ NOT_RUN = {
     "build/release/bin/edgecase run cases/lines --watch": "stays until it is ended; watch_test",
     "build/release/bin/edgecase run --suite core --against recording:":
         "needs what a browser saved; web_test reads such a file",
+    "build/release/bin/edgecase profile --against recording:":
+        "needs what a browser saved; web_test measures such a file",
     "cmake --install": "tests/package installs",
     "man edgecase": "needs what is installed; tests/package asks man for the page",
     "tools/ci/slurm": "needs root and Slurm; ci_test runs both",
@@ -54,8 +56,6 @@ NOT_RUN = {
     "git clone https://github.com/KhronosGroup/VK-GL-CTS": "fetches and builds Khronos's tests",
     "cd cts/modules/gles3": "needs Khronos's tests",
     "LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=softpipe piglit": "needs Piglit, and minutes",
-    "build/release/bin/edgecase profile --against egl:softpipe":
-        "takes minutes; profile_test asks for fewer scenes",
     "build/release/bin/edgecase fuzz --against egl:llvmpipe --policy profile --rules grid-lines":
         "asks for 62 million scenes; fuzz_test ends such a search on part of them",
 }

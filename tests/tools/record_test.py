@@ -98,11 +98,11 @@ class Record(CommandTest):
     def test_what_has_to_ask_for_more_says_why_it_cannot(self):
         self.write_cases("a")
         self.record("exact")
-        profile = self.command("profile", "--against", "recording:one.rec", expect=RENDERER)
-        self.assertIn("`edgecase web --probes -o page.html` makes a page", profile.stderr)
-        profile = self.command("profile", "--against", "recording:one.rec", "--seed", "2",
-                               expect=USAGE)
-        self.assertIn("a recording answers what its page asked", profile.stderr)
+        profile = self.command("profile", "cases", "--against", "recording:one.rec")
+        self.assertRegex(profile.stdout, "fbo: [0-9]+ rules were asked; 1 of 1 drawings")
+        profile = self.command("profile", f"{SUITE}/points", "--against", "recording:one.rec",
+                               expect=RENDERER)
+        self.assertIn("not measured: unavailable", profile.stdout)
         backends = self.command("backends", "recording:one.rec", expect=USAGE)
         self.assertIn("no program behind it", backends.stderr)
 

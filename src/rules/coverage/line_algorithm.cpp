@@ -230,10 +230,6 @@ std::vector<PixelPosition> thin_pixels(const Segment& segment, const PixelBounds
 
 }  // namespace
 
-bool tests_diamonds(LineAlgorithm algorithm) {
-  return algorithm == LineAlgorithm::diamond_exit || algorithm == LineAlgorithm::walk_ends_tested;
-}
-
 int rounded_width(Fixed width) {
   return static_cast<int>(
       std::max<std::int64_t>(1, (width + Fixed::from_raw(Fixed::kOne / 2)).floor()));

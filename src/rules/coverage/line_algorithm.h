@@ -64,9 +64,6 @@ inline constexpr auto kNames<LineAlgorithm> = std::to_array<TabledAlternative<Li
      "border of its pixel"},
 });
 
-// True if the ownership of a diamond's boundary matters to the algorithm.
-bool tests_diamonds(LineAlgorithm algorithm);
-
 // How a line of a width other than 1 is drawn.
 enum class WideLine {
   replicate,

@@ -29,14 +29,6 @@ Pixels drawn(const Segment& segment, Fixed width, WideLine wide, LineAlgorithm a
   return sorted(line_pixels(segment, width, kTarget, choice, *find_tie_rule("left-top")));
 }
 
-// ----------------------------------------------------------------------------------------- ties
-
-TEST(LineAlgorithms, TwoAskWhomADiamondsBoundaryBelongsTo) {
-  for (LineAlgorithm algorithm : values_of<LineAlgorithm>())
-    EXPECT_EQ(tests_diamonds(algorithm), algorithm == LineAlgorithm::diamond_exit ||
-                                             algorithm == LineAlgorithm::walk_ends_tested);
-}
-
 // --------------------------------------------------------------------------------------- widths
 
 TEST(WideLines, WidthsRoundToTheNearestAndAreAtLeastOne) {

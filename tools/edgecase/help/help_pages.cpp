@@ -82,8 +82,7 @@ constexpr HelpPage kPages[] = {
      "0235", nullptr,
      "edgecase web -o page.html\n"
      "edgecase web lines triangles -o page.html\n"
-     "edgecase web --live triangles/shared-edges/hole-where-x-is-a-third -o case.html\n"
-     "edgecase web --probes -o probes.html"},
+     "edgecase web --live triangles/shared-edges/hole-where-x-is-a-third -o case.html"},
     {"render", kRun,
      "Each case gives its pixels and every fragment, or a picture. Nothing is compared or judged.",
      "012345", kInterrupted,
@@ -114,10 +113,10 @@ constexpr HelpPage kPages[] = {
      "edgecase rules \"texture.*\" --json\n"
      "edgecase rules --book out/book"},
     {"profile", kUnderstand,
-     "The renderer draws thousands of random scenes. Its answers show which alternative of each "
-     "rule it follows. A summary of ten lines is printed; --full prints the evidence and the "
-     "counter-examples before it.",
-     "01234", "interrupted; nothing was written",
+     "The renderer draws the core suite, or the cases that are named, in rounds: its answers show "
+     "which alternative of each rule it follows, and are then held against those. A summary of ten "
+     "lines is printed; --full prints what was asked of each rule and answered before it.",
+     "012345", "interrupted; nothing was written",
      "edgecase profile --against egl:llvmpipe\n"
      "edgecase profile --against egl:device0 --full --policy-file device0.json"},
     {"gallery", kUnderstand,
