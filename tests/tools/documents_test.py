@@ -47,7 +47,7 @@ NOT_RUN = {
     "build/release/bin/edgecase run cases/lines --watch": "stays until it is ended; watch_test",
     "build/release/bin/edgecase run --suite core --against recording:":
         "needs what a browser saved; web_test reads such a file",
-    "build/release/bin/edgecase profile --against recording:":
+    "build/release/bin/edgecase profile --suite core --against recording:":
         "needs what a browser saved; web_test measures such a file",
     "cmake --install": "tests/package installs",
     "man edgecase": "needs what is installed; tests/package asks man for the page",

@@ -3,6 +3,7 @@
 // edgecase profile: which rules a renderer follows, measured.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <thread>
@@ -69,8 +70,8 @@ ExitCode deliver_all(const ProfileCommand& command, const Profile& profile) {
     exit = ExitCode::internal;
   if (!command.policy_file.empty() && !deliver(command.policy_file, policy_text(profile)))
     exit = ExitCode::internal;
-  for (const SurfaceProfile& surface : profile.surfaces)
-    if (surface.drawn == 0) exit = worse(exit, ExitCode::renderer);
+  if (std::ranges::all_of(profile.surfaces, [](const auto& one) { return one.drawn == 0; }))
+    exit = worse(exit, ExitCode::renderer);
   return exit;
 }
 
