@@ -51,6 +51,9 @@ std::string table(const std::string& name, const DriverGenerations& driver) {
     if (!rows[i].reason.empty()) rows[i].reason = markdown_cell(rows[i].reason);
     text += markdown_line(rows[i]);
   }
+  const auto changed = changed_rules(driver);
+  if (!changed.empty()) text += "\nWhat is followed of these rules changed:\n\n";
+  for (const std::string& rule : changed) text += fmt::format("- {}\n", markdown_code(rule));
   return text;
 }
 
@@ -80,6 +83,7 @@ std::string generations_text(const Generations& generations) {
         text += fmt::format("  {:>{}}", row.cases[i], widths[i]);
       text += "  " + row.seen + "\n";
     }
+    for (const std::string& rule : changed_rules(driver)) text += "  " + one_line(rule) + "\n";
   }
   return text;
 }

@@ -60,17 +60,6 @@ std::vector<FactChange> compare_claims(const RendererInfo& before, const Rendere
   return facts;
 }
 
-// "triangle.fill-rule, fbo" -> the alternatives that the answers leave.
-std::map<std::string, std::string> remaining_in(const Results& results, const std::string& name) {
-  std::map<std::string, std::string> remaining;
-  const auto found = results.rules.find(name);
-  if (found == results.rules.end()) return remaining;
-  for (const auto& [surface, rules] : found->second)
-    for (const RuleAnswers& answers : rules)
-      remaining[fmt::format("{}, {}", name_of(answers.rule), surface)] = remaining_of(answers);
-  return remaining;
-}
-
 // Rules that both were asked about, and of which other alternatives remain.
 void compare_rules(const std::map<std::string, std::string>& before,
                    const std::map<std::string, std::string>& after,
@@ -213,6 +202,17 @@ std::string names_of(const Results& results) {
 }
 
 }  // namespace
+
+std::map<std::string, std::string> remaining_in(const Results& results,
+                                                const std::string& renderer) {
+  std::map<std::string, std::string> remaining;
+  const auto found = results.rules.find(renderer);
+  if (found == results.rules.end()) return remaining;
+  for (const auto& [surface, rules] : found->second)
+    for (const RuleAnswers& answers : rules)
+      remaining[fmt::format("{}, {}", name_of(answers.rule), surface)] = remaining_of(answers);
+  return remaining;
+}
 
 std::variant<Comparison, std::string> compare_results(const Results& before, const Results& after) {
   Comparison comparison;

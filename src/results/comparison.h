@@ -86,6 +86,10 @@ struct Comparison {
   std::vector<std::string> only_after;
 };
 
+// "triangle.fill-rule, fbo" -> the alternatives that a renderer's answers leave.
+std::map<std::string, std::string> remaining_in(const Results& results,
+                                                const std::string& renderer);
+
 // Returns a sentence instead if no renderer can be compared.
 std::variant<Comparison, std::string> compare_results(const Results& before, const Results& after);
 

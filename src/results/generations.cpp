@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "results/generations.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <set>
+
+#include "results/comparison.h"
 #include "results/standing.h"
 
 namespace edgecase {
@@ -70,6 +75,22 @@ std::vector<GenerationRow> rows_of(const DriverGenerations& driver) {
   return rows;
 }
 
+std::vector<std::string> changed_rules(const DriverGenerations& driver) {
+  std::vector<std::string> changed;
+  for (const auto& [rule, on] : driver.rules) {
+    std::set<std::string> different;
+    std::vector<std::string> words;
+    for (const Release& release : driver.releases)
+      if (const auto found = on.find(text_of(release)); found != on.end()) {
+        different.insert(found->second);
+        words.push_back(fmt::format("{} on {}", found->second, found->first));
+      }
+    if (different.size() > 1)
+      changed.push_back(fmt::format("{}: {}", rule, fmt::join(words, ", ")));
+  }
+  return changed;
+}
+
 std::optional<std::string> add_generation(Generations& generations, const Results& results) {
   if (!is_whole(results))
     return "they are not of the whole suite; a fault that they do not show need not be gone";
@@ -80,6 +101,8 @@ std::optional<std::string> add_generation(Generations& generations, const Result
     const std::string name = text_of(release);
     add_release(driver, release);
     raise(driver.unexpected, name, count_unexpected(results, r));
+    for (const auto& [rule, remaining] : remaining_in(results, info.name))
+      driver.rules[rule][name] = remaining;
     for (const FaultSeen& seen : results.faults) {
       if (seen.renderer != info.name || seen.cases == 0) continue;
       raise(driver.faults[seen.id], name, seen.cases);

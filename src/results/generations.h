@@ -26,6 +26,8 @@ struct DriverGenerations {
   std::map<std::string, std::string> reasons;   // by id: those of the newest release
   std::map<std::string, std::string> smallest;  // by id: a case of the newest release with it
   CasesOn unexpected;                           // cases that no known fault accounts for
+  // "line.snap, fbo" -> release -> the alternatives that its answers leave (rules/rule_answers.h).
+  std::map<std::string, std::map<std::string, std::string>> rules;
 };
 
 // A row of the table of a driver: one fault, or last, without a reason, what is not known.
@@ -40,6 +42,10 @@ struct GenerationRow {
 };
 
 std::vector<GenerationRow> rows_of(const DriverGenerations& driver);
+
+// Of each rule that releases follow differently what each of those that were asked about it
+// follows: "line.snap, fbo: none on Mesa 22.3.6, 8-half-up on Mesa 26.2.6".
+std::vector<std::string> changed_rules(const DriverGenerations& driver);
 
 using Generations = std::map<std::string, DriverGenerations>;  // by driver
 

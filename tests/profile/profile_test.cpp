@@ -137,6 +137,29 @@ TEST_F(Profiles, SayOnlyWhatWasAsked) {
   EXPECT_FALSE(profile.policy.rules.contains("depth.test"));
 }
 
+// What a profile once said, and was not so.
+TEST_F(Profiles, SayWhatIsKnownFromNineInTenOnAndWhoseBitsTheyAre) {
+  RuleAnswers answers{RuleId::clip_volume, 1000, {}};
+  answers.against.assign(rule_of(RuleId::clip_volume).alternatives.size(), 1000);
+  answers.against[0] = 6;  // 99.4 %
+  RuleAnswers rare{RuleId::triangle_fill_rule, 1000, {}};
+  rare.against.assign(rule_of(RuleId::triangle_fill_rule).alternatives.size(), 1000);
+  rare.against[0] = 845;  // 15.5 %
+  SurfaceProfile surface{Surface::fbo, 2000, 2000, 1000, "", {answers, rare}, {}};
+  Profile profile{{"one", "", "", "", 4, {}}, 1, {surface}, {}};
+  const std::string tables = profile_tables(profile);
+  EXPECT_NE(tables.find(rule_of(RuleId::clip_volume).alternatives[0].name + " (994 of 1000)"),
+            std::string::npos);
+  EXPECT_NE(tables.find("none known (155 of 1000 for "), std::string::npos);
+  const std::string summary = profile_summary(profile);
+  EXPECT_NE(summary.find("2 rules were asked"), std::string::npos);
+  EXPECT_NE(summary.find("no alternative known: triangle.fill-rule (155 of 1000)"),
+            std::string::npos);
+  EXPECT_NE(summary.find("triangle.fill-rule none known"), std::string::npos);
+  EXPECT_NE(summary.find("4 sub-pixel bits are reported, or assumed as nothing is"),
+            std::string::npos);
+}
+
 TEST_F(Profiles, KnowNoRuleOfWhatDrawsNothing) {
   const CaseStore cases = cases_naming(core(), "triangle.fill-rule", 40);
   const Profile profile = profile_of(cases, {}, [](const Task&, Rendering& rendering) {

@@ -3,11 +3,13 @@
 // Known faults against the releases of a driver, as results tell and as a table shows them.
 #include "results/generations.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <vector>
 
 #include "reports/generations_markdown.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -85,6 +87,30 @@ TEST(Generations, TellTheFirstAndTheLastReleaseOfEachFault) {
   EXPECT_THAT(text, HasSubstr("| `between` | 0 | 7 | 0 | Mesa 25.0.7 alone | `In 25.0.7` |"));
   EXPECT_THAT(text, HasSubstr("| `ended` | 6 | 0 | 0 | until Mesa 22.3.6 | `In 22.3.6` |"));
   EXPECT_THAT(text, HasSubstr("| not known | 0 | 0 | 2 | since Mesa 26.2.6 |  |"));
+}
+
+TEST(Generations, TellRulesThatReleasesFollowOtherwise) {
+  const auto following = [](const std::string& version, std::size_t rounded) {
+    Results results = run_of(version, {});
+    RuleAnswers snap{RuleId::line_snap, 20, {}};
+    snap.against.assign(rule_of(RuleId::line_snap).alternatives.size(), 20);
+    snap.against[0] = 20 - rounded;
+    snap.against[1] = rounded;
+    results.rules["egl:llvmpipe"]["fbo"] = {
+        snap,
+        {RuleId::depth_test, 1,
+         std::vector<std::size_t>(rule_of(RuleId::depth_test).alternatives.size(), 0)}};
+    return results;
+  };
+  Generations generations;
+  add_generation(generations, following("22.3.6", 20));
+  add_generation(generations, following("25.0.7", 0));
+  const auto& alternatives = rule_of(RuleId::line_snap).alternatives;
+  const std::string told = fmt::format("line.snap, fbo: {} on Mesa 22.3.6, {} on Mesa 25.0.7",
+                                       alternatives[0].name, alternatives[1].name);
+  EXPECT_THAT(changed_rules(generations.at("llvmpipe")), ElementsAre(told));
+  EXPECT_THAT(generations_text(generations), HasSubstr("  " + told + "\n"));
+  EXPECT_THAT(generations_markdown(generations), HasSubstr("- `" + told + "`\n"));
 }
 
 TEST(Generations, StandInColumnsForATerminal) {

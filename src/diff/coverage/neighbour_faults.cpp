@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "diff/coverage/clipped_seams.h"
 #include "diff/coverage/vertex_latitude.h"
 #include "diff/findings/patience.h"
 #include "raster/rasterizer.h"
@@ -137,15 +138,7 @@ std::vector<JointFault> joint_faults(std::span<const ScenePrimitive> primitives,
 
 // ------------------------------------------------------------------------------------ shared edges
 
-namespace {
-
-// Quotients are rounded to the nearest point; reach_of accounts for the error.
-Triangle triangle_of(const ScenePrimitive& primitive) {
-  return nearest_triangle(primitive.positions);
-}
-
-// How often a pixel occurs among pixels sorted by row.
-long count(std::span<const PixelPosition> pixels, PixelPosition p) {
+long hits_at(std::span<const PixelPosition> pixels, PixelPosition p) {
   const auto [first, last] = std::equal_range(
       pixels.begin(), pixels.end(), p,
       [](PixelPosition a, PixelPosition b) { return std::tie(a.y, a.x) < std::tie(b.y, b.x); });
@@ -155,6 +148,23 @@ long count(std::span<const PixelPosition> pixels, PixelPosition p) {
 PixelBounds common(const PixelBounds& a, const PixelBounds& b) {
   return {std::max(a.x_min, b.x_min), std::max(a.y_min, b.y_min), std::min(a.x_max, b.x_max),
           std::min(a.y_max, b.y_max)};
+}
+
+std::map<int, Point> shared_samples(const ScenePrimitive& first, const ScenePrimitive& second,
+                                    const Target& target, const SamplePositions& positions) {
+  if (!is_multisampled(*first.state, target)) return {{0, centre_of_pixel()}};
+  const std::uint32_t mask = first.state->multisampling.mask & second.state->multisampling.mask;
+  std::map<int, Point> samples;
+  for (std::size_t s = 0; s < positions.size(); ++s)
+    if ((mask >> s & 1) != 0) samples.emplace(static_cast<int>(s), positions[s]);
+  return samples;
+}
+
+namespace {
+
+// Quotients are rounded to the nearest point; reach_of accounts for the error.
+Triangle triangle_of(const ScenePrimitive& primitive) {
+  return nearest_triangle(primitive.positions);
 }
 
 // Pixels whose centres may lie near the segment a-b: its bounding box, grown by one.
@@ -204,23 +214,12 @@ bool lies_well_between(const SharedSide& side, PixelPosition pixel) {
   return true;
 }
 
-// The samples that both triangles may write, by index, with their positions in a pixel.
-std::map<int, Point> shared_samples(const ScenePrimitive& first, const ScenePrimitive& second,
-                                    const Target& target, const SamplePositions& positions) {
-  if (!is_multisampled(*first.state, target)) return {{0, centre_of_pixel()}};
-  const std::uint32_t mask = first.state->multisampling.mask & second.state->multisampling.mask;
-  std::map<int, Point> samples;
-  for (std::size_t s = 0; s < positions.size(); ++s)
-    if ((mask >> s & 1) != 0) samples.emplace(static_cast<int>(s), positions[s]);
-  return samples;
-}
-
 // Appends the pixels whose sample the two triangles must hit once but do not.
 void add_faults(const SharedSide& side, int first, int second, int sample, Point within,
                 std::span<const PrimitiveCoverage> coverage, std::vector<SharedEdgeFault>& faults) {
   const auto hits_of = [&](int primitive, PixelPosition p) {
     const SampleCoverage& drawn = coverage[static_cast<std::size_t>(primitive)].drawn;
-    return count(drawn[static_cast<std::size_t>(sample)], p);
+    return hits_at(drawn[static_cast<std::size_t>(sample)], p);
   };
   for (int y = side.near.y_min; y <= side.near.y_max; ++y) {
     Patience::check();
@@ -261,7 +260,7 @@ std::vector<std::pair<std::size_t, std::size_t>> neighbours(
   TrianglesByEdge before;
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < primitives.size(); ++i) {
-    // Two clipped triangles need not have an edge in common.
+    // Clipped ones have seams of their own (diff/coverage/clipped_seams.h).
     if (primitives[i].kind != PrimitiveKind::triangle || primitives[i].is_clipped) continue;
     const Triangle given = triangle_of(primitives[i]);
     if (doubled_area(given) == 0) continue;
@@ -310,6 +309,9 @@ std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> 
          shared_samples(primitives[i], primitives[j], scene.target, positions))
       add_faults(side, primitives[i].index, primitives[j].index, sample, within, coverage, faults);
   }
+  const auto clipped =
+      clipped_seam_faults(primitives, coverage, scene, bits, positions, exact_has_none);
+  faults.insert(faults.end(), clipped.begin(), clipped.end());
   return faults;
 }
 

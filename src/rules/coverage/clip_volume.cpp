@@ -350,12 +350,12 @@ bool is_side(Fixed a, Fixed b, int low, int size) {
   return a == b && (a == Fixed::from_integer(low) || a == Fixed::from_integer(low + size));
 }
 
+}  // namespace
+
 bool is_on_viewport(Point a, Point b, const Viewport& viewport) {
   return is_side(a.x, b.x, viewport.x, viewport.width) ||
          is_side(a.y, b.y, viewport.y, viewport.height);
 }
-
-}  // namespace
 
 // As in triangle_possibly_covered: the union of all moved polygons is the sum of the polygon and an
 // open square; an axis or an edge's normal separates every outside point from it.

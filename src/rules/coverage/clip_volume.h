@@ -140,6 +140,9 @@ struct LoosePolygon {
   Viewport viewport;            // whose sides cut it: edges along them do not move
 };
 
+// Whether the edge from a to b lies along a side of the viewport.
+bool is_on_viewport(Point a, Point b, const Viewport& viewport);
+
 // May some move put the sample inside or on an edge, and may some put it outside or on an edge?
 bool polygon_possibly_covered(const LoosePolygon& polygon, Point sample);
 bool polygon_possibly_uncovered(const LoosePolygon& polygon, Point sample);

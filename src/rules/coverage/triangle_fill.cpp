@@ -198,8 +198,10 @@ Rule shared_edge_rule() {
       {{5,
         "Shared edges: two triangles on opposite sides of an edge with bit-identical ends hit a "
         "sample exactly once, if for every move that ruling 4 allows (the same for "
-        "bit-identical vertices) the sample lies strictly inside the four other edges. Holes "
-        "and double hits there are violations."}}};
+        "bit-identical vertices) the sample lies strictly inside the four other edges. Clipping "
+        "makes no exception: of triangles that reach out of the clip volume the shared edge is "
+        "that between the same two vertices, cut or not, and the other edges are those of their "
+        "visible parts, which ruling 42 lets move. Holes and double hits there are violations."}}};
 }
 
 namespace {
