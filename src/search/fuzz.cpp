@@ -18,7 +18,8 @@ constexpr std::size_t kPiece = 32;      // scenes that a thread takes at once
 constexpr std::size_t kWarmUp = 4;      // rounds without minimizing, to read their results
 constexpr std::size_t kChunk = 8;       // candidates that are minimized in parallel
 constexpr std::size_t kLeastAsks = 30;  // to minimize a find, however late it is
-// The share of a time limit for scenes of the search itself, rather than for minimizing.
+// The share of a time limit after which what was found is minimized. While nothing is found, the
+// search has the whole time.
 constexpr double kSearchShare = 0.6;
 constexpr std::size_t kUnlimited = ~std::size_t{0};
 
@@ -63,14 +64,13 @@ class Search {
   FuzzReport run() {
     try {
       learn_known();
-      for (std::size_t round = 1; !is_over(); ++round) {
-        const auto batches = source_.next_round(left());
-        if (batches.empty()) break;
-        if (!ask(batches)) break;
-        // While the search continues, it takes at least half of all scenes.
-        if (round >= kWarmUp) minimize_candidates([&] { return minimize_asks_ < report_.scenes; });
+      // Candidates that turn out to be no finds leave the rest of the time to the search.
+      for (bool goes_on = true; goes_on; goes_on = goes_on && !has_found_ && !is_over()) {
+        goes_on = search();
+        queue_candidates();
+        minimize_candidates([] { return true; });
+        has_found_ = finds() > 0;
       }
-      minimize_candidates([] { return true; });
       minimize_others();
     } catch (const SearchStopped&) {
     }
@@ -83,7 +83,9 @@ class Search {
   bool is_stopped() const { return options_.stop != nullptr && options_.stop->load(); }
   double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   double time() const { return std::chrono::duration<double>(*options_.time).count(); }
-  bool is_late() const { return options_.time && elapsed() >= kSearchShare * time(); }
+  bool is_late() const {
+    return options_.time && elapsed() >= (has_found_ ? kSearchShare : 1.0) * time();
+  }
   std::size_t left() const { return options_.count ? *options_.count - asked_ : kUnlimited; }
   std::size_t finds() const {
     std::size_t sum = 0;
@@ -120,24 +122,55 @@ class Search {
     return !left_out;
   }
 
-  // ------------------------------------------------------------------------------------- one round
+  // Renders rounds until a limit; false if there are no more scenes.
+  bool search() {
+    for (; !is_over(); ++round_) {
+      const auto batches = source_.next_round(left());
+      if (batches.empty() || !ask(batches)) return false;
+      if (round_ < kWarmUp) continue;
+      queue_candidates();
+      // While the search continues, it takes at least half of all scenes.
+      minimize_candidates([&] { return minimize_asks_ < report_.scenes; });
+    }
+    return true;
+  }
 
-  // False if no more scenes should be rendered.
+  // False if no more scenes can be rendered.
   bool ask(const std::vector<Batch>& batches) {
     std::vector<Piece> pieces = pieces_of(batches);
-    const bool all = in_parallel(
+    std::vector<Piece*> left;
+    for (Piece& piece : pieces) left.push_back(&piece);
+    while (!left.empty() && !is_stopped() && !is_late()) {
+      ask(left);
+      for (Piece* piece : left)
+        if (piece->done) keep(*piece);
+      std::erase_if(left, [](const Piece* piece) { return piece->done; });
+      if (!left.empty()) queue_candidates();
+    }
+    for (const Batch& batch : batches) {
+      asked_ += batch.count;
+      if (batch.family != nullptr && is_drawn_by_none(batch, pieces)) source_.retire(*batch.family);
+    }
+    return !is_stopped() && !is_unavailable();
+  }
+
+  // Renders pieces until there is no time for more. After the search's share of the time, a suspect
+  // interrupts it: it may be a find, which is to be minimized.
+  void ask(const std::vector<Piece*>& pieces) {
+    std::atomic<bool> is_suspected{false};
+    in_parallel(
         pieces.size(),
         [&](std::size_t i, std::size_t worker) {
-          ask(pieces[i], worker);
-          tell_progress(pieces[i].scenes.size());
+          Piece& piece = *pieces[i];
+          ask(piece, worker);
+          tell_progress(piece.scenes.size());
+          for (const Screening& screening : piece.screenings)
+            if (!screening.suspects.empty()) is_suspected = true;
         },
-        [&] { return is_stopped() || is_late(); });
-    for (const Batch& batch : batches) asked_ += batch.count;
-    for (Piece& piece : pieces)
-      if (piece.done) keep(piece);
-    for (const Batch& batch : batches)
-      if (batch.family != nullptr && is_drawn_by_none(batch, pieces)) source_.retire(*batch.family);
-    return all && !is_unavailable();
+        [&] {
+          return is_stopped() || is_late() ||
+                 (is_suspected && options_.time && elapsed() >= kSearchShare * time());
+        });
   }
 
   void ask(Piece& piece, std::size_t worker) const {
@@ -192,8 +225,6 @@ class Search {
     options_.progress(progress_);
   }
 
-  // ---------------------------------------------------------------------------------------- finds
-
   Trial trial_of(std::size_t r, std::size_t worker) {
     return {*workers_[worker][r],
             {renderers_[r].policy, renderers_[r].profiles, ledgers_[r].readings(), options_.stop}};
@@ -211,13 +242,20 @@ class Search {
     }
   }
 
+  // Judges what was found since the last call; what may be a find waits to be minimized.
+  void queue_candidates() {
+    for (std::size_t r = 0; r < renderers_.size(); ++r)
+      for (Candidate& candidate : ledgers_[r].take_candidates()) {
+        waiting_[r].push_back(std::move(candidate));
+        has_found_ = true;
+      }
+  }
+
   // Minimizes waiting candidates, in the order in which they were found, while `goes_on` holds.
   template <class GoesOn>
   void minimize_candidates(const GoesOn& goes_on) {
     for (std::size_t r = 0; r < renderers_.size(); ++r) {
       std::deque<Candidate>& waiting = waiting_[r];
-      for (Candidate& candidate : ledgers_[r].take_candidates())
-        waiting.push_back(std::move(candidate));
       while (!waiting.empty() && !is_full() && goes_on()) {
         // No more at once than may be wanted.
         const std::size_t wanted = options_.finds ? *options_.finds - finds() : kUnlimited;
@@ -344,6 +382,8 @@ class Search {
   std::vector<Ledger> ledgers_;                                  // by renderer
   std::vector<std::deque<Candidate>> waiting_;                   // by renderer
   std::vector<std::vector<std::unique_ptr<Renderer>>> workers_;  // by thread, by renderer
+  std::size_t round_ = 1;
+  bool has_found_ = false;         // something that is or may be a find
   std::size_t asked_ = 0;          // scenes to be rendered, including mutations that were not found
   std::size_t minimize_asks_ = 0;  // scenes rendered to make others small
   FuzzReport report_;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <set>
 #include <string>
 #include <tuple>
@@ -199,6 +200,29 @@ TEST(Fuzz, StopsAtFindsCountTimeAndWhenAsked) {
   EXPECT_TRUE(stopped.stopped);
   EXPECT_GT(stopped.scenes, 400u);
   EXPECT_FALSE(stopped.finds.empty());  // kept, though not made smaller
+}
+
+std::chrono::duration<double> time_of_search(const FuzzRenderer& renderer,
+                                             const FuzzOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_TRUE(fuzz({renderer}, options).finds.empty());
+  return std::chrono::steady_clock::now() - start;
+}
+
+TEST(Fuzz, SearchesTheWholeTimeWhereNothingIsFound) {
+  FuzzOptions options = few({"points"}, 1'000'000'000);
+  options.time = std::chrono::milliseconds(600);
+  EXPECT_GE(time_of_search(altered(nullptr), options), *options.time);
+}
+
+// A convention is a suspect, but no find where only violations are asked for.
+TEST(Fuzz, SearchesTheWholeTimeWhereNoSuspectIsAFind) {
+  Policy policy;
+  policy.rules["triangle.fill-rule"] = "right-top";
+  FuzzOptions options = few({"triangles"}, 1'000'000'000);
+  options.least = Verdict::violation;
+  options.time = std::chrono::milliseconds(600);
+  EXPECT_GE(time_of_search(altered(nullptr, policy), options), *options.time);
 }
 
 TEST(Fuzz, CountsWhatIsKnownAndNoMore) {

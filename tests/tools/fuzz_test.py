@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """edgecase fuzz: what it finds of a real renderer, what it saves, and bad input."""
 import json
+import time
 import unittest
 
 from support import (AS_EXPECTED, RENDERER, ROOT, UNEXPECTED, USAGE, CommandTest, triangle_case)
@@ -52,6 +53,11 @@ class Fuzz(CommandTest):
         run = self.command("fuzz", "--against", "exact", "--count", 400, "--seed", 3)
         self.assertIn("400 scenes in ", run.stdout)
         self.assertIn("finds: none", run.stdout)
+
+    def test_searches_all_of_its_time_where_nothing_is_found(self):
+        start = time.monotonic()
+        self.command("fuzz", "--against", "exact", "--rules", "points", "--seconds", 2)
+        self.assertGreaterEqual(time.monotonic() - start, 2)
 
     def test_mutates_a_corpus(self):
         self.write("corpus/triangle.json", triangle_case())
