@@ -181,7 +181,8 @@ class CoverageComparison {
 
   SampleTerms terms_of(const ScenePrimitive& primitive) const {
     const SupportedSizes sizes = sizes_that_excuse(primitive, coverage_of(primitive), context_);
-    return {context_.bits, sizes, is_multisampled(primitive), is_missing(primitive)};
+    return {context_.bits, sizes, is_multisampled(primitive), is_missing(primitive),
+            shape_fault(primitive, coverage_of(primitive), target())};
   }
 
   // True if nothing of the primitive was drawn.

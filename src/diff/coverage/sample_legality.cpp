@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diff/coverage/covered_shape.h"
 #include "exact/numeral.h"
 #include "rules/coverage/point_ownership.h"
+#include "rules/coverage/triangle_algorithm.h"
+#include "rules/coverage/triangle_fill.h"
 
 namespace edgecase {
 namespace {
@@ -42,6 +45,10 @@ std::optional<CoverageLegality> judge_mask(const ScenePrimitive& primitive,
   return std::nullopt;
 }
 
+std::pair<int, int> row_and_column(PixelPosition pixel) {
+  return {pixel.y, pixel.x};
+}
+
 // A point outside the clip volume that clipping may still pass: it lies between near and far, to
 // within 1 part in 10^5 of w, and near enough to the target to have a position in the window.
 std::optional<SizedPoint> passed_point(const ScenePrimitive& point) {
@@ -64,7 +71,43 @@ bool is_extra(const CoverageDifference& difference) {
   return difference.drawn > difference.exact;
 }
 
+// True if two vertices are one, wherever vertices are moved, so that there is no area.
+bool is_without_area(const ScenePrimitive& primitive) {
+  if (primitive.kind != PrimitiveKind::triangle) return false;
+  const auto& v = primitive.vertices;
+  return is_bit_identical(*v[0], *v[1]) || is_bit_identical(*v[1], *v[2]) ||
+         is_bit_identical(*v[2], *v[0]);
+}
+
 }  // namespace
+
+// What exact covers may have holes, too, if fragments are left out for other reasons.
+ShapeFault shape_fault(const ScenePrimitive& primitive, const PrimitiveCoverage& coverage,
+                       const Target& target) {
+  if (primitive.kind != PrimitiveKind::triangle || primitive.is_clipped ||
+      is_multisampled(*primitive.state, target))
+    return {};
+  ShapeFault fault;
+  const std::vector<PixelPosition>& exact = coverage.exact.front();
+  const Triangle triangle = nearest_triangle(primitive.positions);
+  const Fixed error = std::max(division_error(primitive), Fixed::from_raw(1));
+  const auto is_on_edge = [&](PixelPosition pixel) {
+    const Point centre = pixel_centre(pixel.x, pixel.y);
+    return triangle_possibly_covered(triangle, centre, error) &&
+           triangle_possibly_uncovered(triangle, centre, error);
+  };
+  std::optional<PixelHull> hull;  // of exact; most triangles need none
+  for (const auto& [hole, is_on_border] : holes_in(coverage.drawn.front())) {
+    if (is_on_border && is_on_edge(hole)) continue;
+    if (std::ranges::binary_search(exact, row_and_column(hole), {}, row_and_column)) {
+      fault.holes.push_back(hole);
+      continue;
+    }
+    if (!hull) hull.emplace(exact);
+    if (!fault.hole_beyond && !hull->contains(hole)) fault.hole_beyond = hole;
+  }
+  return fault;
+}
 
 SampleJudge::SampleJudge(const ScenePrimitive& primitive, const SampleTerms& terms)
     : primitive_(primitive),
@@ -132,6 +175,7 @@ CoverageLegality SampleJudge::judge_clipped(bool extra, Point sample) const {
 
 CoverageLegality SampleJudge::judge(const CoverageDifference& difference, Point within) const {
   if (auto masked = judge_mask(primitive_, difference)) return *std::move(masked);
+  if (auto shape = judge_shape(difference)) return *std::move(shape);
   const bool point = primitive_.kind == PrimitiveKind::point;
   const bool line = primitive_.kind == PrimitiveKind::line;
   const bool extra = is_extra(difference);
@@ -150,6 +194,37 @@ CoverageLegality SampleJudge::judge(const CoverageDifference& difference, Point 
                        extra ? "inside or on the boundary" : "outside or on the boundary");
   });
   return result;
+}
+
+std::optional<CoverageLegality> SampleJudge::judge_shape(
+    const CoverageDifference& difference) const {
+  CoverageLegality broken{false, 4, coverage_rule_of(primitive_.kind), ""};
+  const ShapeFault& shape = terms_.shape;
+  if (is_extra(difference)) {
+    if (is_without_area(primitive_)) {
+      broken.reason = reason([] {
+        return std::string("two vertices are one, so that the triangle has no area after any move");
+      });
+      return broken;
+    }
+    if (!shape.hole_beyond) return std::nullopt;
+    broken.reason = reason([&] {
+      return fmt::format(
+          "pixel ({}, {}) is left out and lies between those that the triangle covers, and no move "
+          "of the vertices makes a triangle of that shape",
+          shape.hole_beyond->x, shape.hole_beyond->y);
+    });
+    return broken;
+  }
+  if (!std::ranges::binary_search(shape.holes, row_and_column(difference.pixel), {},
+                                  row_and_column))
+    return std::nullopt;
+  broken.reason = reason([] {
+    return std::string(
+        "it lies between samples that the triangle covers, which no move of the vertices makes a "
+        "triangle leave out");
+  });
+  return broken;
 }
 
 CoverageLegality SampleJudge::judge_facing(const CoverageDifference& difference,
@@ -195,7 +270,7 @@ bool SampleJudge::is_so_elsewhere(PixelPosition pixel, bool extra) {
 }
 
 void SampleJudge::contest(const CoverageDifference& difference, CoverageLegality& legality) {
-  if (judge_mask(primitive_, difference)) return;
+  if (judge_mask(primitive_, difference) || judge_shape(difference)) return;
   if (is_cut_at_viewport(primitive_, difference)) {
     legality.ruling = kRulingOnViewport;
     legality.reason += ", and the pixel lies beyond the viewport's sides";

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "diff/coverage/coverage_diff.h"
 #include "diff/coverage/legality.h"
@@ -25,11 +26,22 @@ namespace edgecase {
 // The ruling on coverage at other positions than reported.
 inline constexpr int kRulingOnOtherPlaces = 47;
 
+// Where an unclipped triangle that is not multisampled covers what no triangle can (ruling 4).
+struct ShapeFault {
+  std::vector<PixelPosition> holes;  // that exact covers, sorted
+  // One that exact does not cover: samples that are drawn beyond exact's make it a hole.
+  std::optional<PixelPosition> hole_beyond;
+};
+// For a primitive of which the renderer draws something else than exact.
+ShapeFault shape_fault(const ScenePrimitive& primitive, const PrimitiveCoverage& coverage,
+                       const Target& target);
+
 struct SampleTerms {
   int bits = 4;               // as in ruling 4
   SupportedSizes sizes = {};  // those that the renderer supports
   bool is_multisampled = false;
   bool is_missing = false;  // nothing of the primitive was drawn
+  ShapeFault shape = {};
 };
 
 // Judges the differences of one primitive, which must outlive it. Not safe to use from several
@@ -53,6 +65,9 @@ class SampleJudge {
   CoverageLegality judge(const CoverageDifference& difference, Point within) const;
   CoverageLegality judge_clipped(bool extra, Point sample) const;
   CoverageLegality judge_clipped_point(bool extra, Point sample) const;
+  // Triangles that are none: two vertices are one, or a hole lies between covered samples. None if
+  // the difference is no part of that.
+  std::optional<CoverageLegality> judge_shape(const CoverageDifference& difference) const;
   // Triangles of draws that cull, whose facing may be the cause of the difference (ruling 40).
   CoverageLegality judge_facing(const CoverageDifference& difference,
                                 CoverageLegality otherwise) const;

@@ -35,15 +35,16 @@ void add_coverage_sources(std::map<int, RulingSource>& of) {
            .es = "13.6.1, same"};
 
   of[4] = {
-      .clause = "14.6.1 (Basic Polygon Rasterization); table 23.54",
+      .clause = "14.6.1 (Basic Polygon Rasterization); appendix B, corollary 6; table 23.54",
       .quotation = "Fragment centers that lie inside of this polygon are produced by rasterization",
       .khronos =
           "dEQP-GLES3.functional.rasterization.primitives.triangles etc. "
           "(verifyTriangleGroupRasterization, calculateTriangleCoverage): pixels whose centre "
           "lies within five steps of GL_SUBPIXEL_BITS of an edge are free, for \"3 subpixel "
           "fuzz\"; all others strict. That is room for what a verifier cannot know, and no "
-          "sentence of the text: two steps off stay a violation",
-      .es = "13.7.1, table 21.40: same"};
+          "sentence of the text: two steps off stay a violation. Nor do they ask what covers all "
+          "samples of one triangle at once, or draw one without area",
+      .es = "13.7.1, table 21.40; appendix B, corollary 6: same"};
 
   of[5] = {
       .clause = "14.6.1; appendix B, corollary 8",

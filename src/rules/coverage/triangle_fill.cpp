@@ -158,7 +158,12 @@ Rule triangle_fill_rule() {
         "b is the larger of 4 and the SUBPIXEL_BITS that the renderer reports, and a sample on "
         "an edge may go either way. A sample may be drawn if some such move puts it inside or "
         "on an edge, and left out if some such move puts it outside or on an edge. OpenGL "
-        "mandates no particular fill rule."}}};
+        "mandates no particular fill rule. But all samples of a triangle have one move, and a "
+        "triangle is convex wherever it is moved: of an unclipped one in a target of one sample, "
+        "no pixel is left out whose centre lies in the hull of those that are covered, but for "
+        "the border of that hull where it lies on an edge of the triangle as given. A triangle "
+        "two of whose vertices are bit-identical has no area after any move, and covers nothing "
+        "(appendix B, corollary 6)."}}};
 }
 
 std::optional<SharedEdge> shared_edge(const Triangle& first, const Triangle& second) {
