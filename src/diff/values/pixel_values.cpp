@@ -77,6 +77,7 @@ class PixelComparison {
       }
     }
     aggregator_.flush(result);
+    if (may_be_dithered_) compare_dithering(context_, rendered_, result);
   }
 
  private:
@@ -189,6 +190,7 @@ class PixelComparison {
     for (std::size_t c = 0; c < 4; ++c) {
       if (stored[c] == to_unorm8(truth.exact[c])) continue;
       differs = true;
+      may_be_dithered_ = may_be_dithered_ || (!is_multisampled() && has_one_color(writer));
       const double exact = truth.exact[c] * 255;
       ValueAggregator::Error error{static_cast<int>(c), exact, static_cast<double>(stored[c]),
                                    std::fabs(stored[c] - exact), 255};
@@ -197,6 +199,10 @@ class PixelComparison {
       aggregator_.add_error(place, error);
     }
     if (differs) aggregator_.add_place(place);
+  }
+
+  bool has_one_color(const Fragment* writer) const {
+    return writer == nullptr || has_flat_color(context_, *writer);
   }
 
   // An earlier fragment that has the stored colour, or none.
@@ -244,6 +250,7 @@ class PixelComparison {
   std::vector<std::uint8_t> clear_row_;       // one row; empty if pixels must not hold it
   std::array<double, 4> last_color_{};        // the latest colour of a last fragment
   std::array<std::uint8_t, 4> last_code_{};   // the same in 8 bits
+  bool may_be_dithered_ = false;              // some flat colour is not stored as its nearest code
   ValueAggregator aggregator_{"pixel", RuleId::framebuffer_unorm8, 10};
 };
 

@@ -29,4 +29,11 @@ Interval with_fade(const ValueContext& context, const Fragment& fragment, Interv
 // renderer reports there. Appends disagreements and aggregates to `result`.
 void compare_pixels(const ValueContext& context, const Rendering& rendered, Result& result);
 
+// True if the fragment has its provoking vertex' own colour, which no interpolation and no texture
+// changes.
+bool has_flat_color(const ValueContext& context, const Fragment& fragment);
+// Compares the pixels of one colour with each other, on a target of one sample: dithering is
+// disabled. Appends disagreements to `result`.
+void compare_dithering(const ValueContext& context, const Rendering& rendered, Result& result);
+
 }  // namespace edgecase

@@ -24,9 +24,10 @@ Rule unorm8_rule() {
             "the last fragment, as the renderer itself reports it, or of any colour that ruling "
             "9 permits if it reports none. The alpha of a multisampled point smaller than 1 may "
             "first be multiplied by the square of its size (17.2). A pixel without fragments "
-            "holds the clear colour, likewise rounded. Dithering is always disabled; that the "
-            "choice between two integers then does not depend on the pixel (17.3.8) is not "
-            "judged."}}};
+            "holds the clear colour, likewise rounded. Dithering is always disabled, so the choice "
+            "between two integers does not depend on the pixel (17.3.8): where one draw gives "
+            "pixels of a target of one sample one and the same flat colour, and where they hold "
+            "the clear colour, all have one code of each component."}}};
 }
 
 Rule order_rule() {
