@@ -186,6 +186,13 @@ Texel TextureLookups::accessible_texels(const Fragment& fragment) const {
   return hull_of(texels);
 }
 
+Boxes TextureLookups::overshooting_colors(const Fragment& fragment) {
+  Boxes boxes = permitted_colors(fragment);
+  for (Box& box : boxes)
+    for (Interval& component : box) component = within(component, component.high - component.low);
+  return boxes;
+}
+
 // What the texels of a generated chain that the renderer does not report may be: a component that
 // is the same in all of level 0 stays so, to a code of 8 bits or a part of 10^5 (ruling 25), and no
 // filter leaves the format's range. A code of sRGB is at most 2.3 codes of what it stands for.

@@ -2,8 +2,8 @@
 //
 // Compares a renderer's mip chains with exact's (rulings 25 and 48). The count and sizes of levels
 // are fixed. Contents are not, except that a filter keeps an image of one colour and, if none of
-// its weights is negative, stays between the least and the largest texel. The filter and rounding
-// that make a chain are its cause.
+// its weights is negative, stays between the least and the largest of the texels that it reads,
+// which lie near the one that it makes. The filter and rounding that make a chain are its cause.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -178,15 +178,59 @@ void report_base(const ReportedChain& chain, Result& result) {
   add_disagreement(result, std::move(d));
 }
 
-// The least and the largest number of one component in a level; everything if one is NaN or
-// infinite.
-Interval range_of(const TextureLevel& level, std::size_t component) {
-  Interval range = static_cast<double>(level.texels[component]);
-  for (std::size_t i = component; i < level.texels.size(); i += 4) {
-    const auto number = static_cast<double>(level.texels[i]);
-    if (!std::isfinite(number)) return Interval::everything();
-    range = hull(range, number);
-  }
+// Texels of a level along one axis, both inclusive.
+struct Span {
+  int first = 0;
+  int last = 0;
+};
+struct Window {
+  Span columns;
+  Span rows;
+};
+
+// Without what lies beyond the level.
+Span clipped(int first, int last, int size) {
+  return {std::clamp(first, 0, size - 1), std::clamp(last, 0, size - 1)};
+}
+
+int floor_quotient(int dividend, int divisor) {
+  return dividend / divisor - (dividend % divisor < 0 ? 1 : 0);
+}
+int ceiling_quotient(int dividend, int divisor) {
+  return -floor_quotient(-dividend, divisor);
+}
+
+// What the Khronos tests accept with a warning: up to half a smaller texel beyond its own area,
+// ends included (compareGenMipmapVeryLenient in VK-GL-CTS).
+Span tested_span(int i, int size, int halved) {
+  return clipped(floor_quotient((2 * i - 1) * size, 2 * halved),
+                 ceiling_quotient((2 * i + 3) * size, 2 * halved), size);
+}
+
+// The texels that the smaller texel's own area meets, and two more on either side. It holds the
+// tested span.
+Span widest_span(int i, int size, int halved) {
+  return clipped(floor_quotient(i * size, halved) - 2, ceiling_quotient((i + 1) * size, halved) + 1,
+                 size);
+}
+
+// The window of texel i, j of a level, in the level above.
+template <class SpanOf>
+Window window_of(int i, int j, const TextureLevel& level, const TextureLevel& above,
+                 const SpanOf& span_of) {
+  return {span_of(i, above.width, level.width), span_of(j, above.height, level.height)};
+}
+
+// The least and the largest number of one component; everything if one is NaN or infinite.
+Interval range_of(const TextureLevel& level, const Window& window, std::size_t component) {
+  Interval range = static_cast<double>(
+      level.texels[level.index(window.columns.first, window.rows.first) + component]);
+  for (int j = window.rows.first; j <= window.rows.last; ++j)
+    for (int i = window.columns.first; i <= window.columns.last; ++i) {
+      const auto number = static_cast<double>(level.texels[level.index(i, j) + component]);
+      if (!std::isfinite(number)) return Interval::everything();
+      range = hull(range, number);
+    }
   return range;
 }
 
@@ -196,54 +240,86 @@ Interval with_rounding(Interval range, TextureFormat format) {
   return {range.low - error, range.high + error};
 }
 
-// A texel that no filter yields, or none without negative weights.
+// Filters with negative weights in use, cubic and Lanczos ones, lead less than the range of their
+// texels beyond it.
+Interval with_negative_weights(Interval range) {
+  const double size = range.high - range.low;
+  return {range.low - size, range.high + size};
+}
+
+// A texel that no filter yields (ruling 25), or none that the Khronos tests accept (ruling 48).
 struct StrayTexel {
   std::size_t level = 0;
   std::size_t texel = 0;
   std::size_t component = 0;
-  Interval range;  // of the level that bounds it
+  Interval range;  // of the texels that bound it
   bool of_one_color = false;
+  int ruling = kRuling;
 };
 
-std::optional<StrayTexel> stray_in(const Chain& chain, std::size_t level, std::size_t component,
-                                   const TextureLevel& above, TextureFormat format) {
-  const Interval range = range_of(above, component);
-  const Interval allowed = with_rounding(range, format);
-  const TextureLevel& of = chain[level];
-  for (std::size_t i = 0; 4 * i < of.texels.size(); ++i) {
-    const auto number = static_cast<double>(of.texels[4 * i + component]);
-    if (std::isfinite(range.magnitude()) && !allowed.contains(number))
-      return StrayTexel{level, i, component, range, range.low == range.high};
-  }
-  return std::nullopt;
+bool is_within(float number, Interval range, TextureFormat format) {
+  return !std::isfinite(range.magnitude()) ||
+         with_rounding(range, format).contains(static_cast<double>(number));
 }
 
-// The worst texel of a chain: one in a component that has a single value in the image, else the
-// first beyond the range of the level above.
+// The ruling that a texel breaks, by the texels of the level above near it; 0 if none.
+int ruling_on(const TextureLevel& level, int i, int j, std::size_t component,
+              const TextureLevel& above, TextureFormat format) {
+  const float number = level.texels[level.index(i, j) + component];
+  const auto range_in = [&](const auto& span_of) {
+    return range_of(above, window_of(i, j, level, above, span_of), component);
+  };
+  if (is_within(number, range_in(tested_span), format)) return 0;
+  const Interval widest = with_negative_weights(range_in(widest_span));
+  return is_within(number, widest, format) ? kRulingOnHull : kRuling;
+}
+
+// The worst texel of a level: the first that breaks ruling 25, else the first that breaks 48.
+std::optional<StrayTexel> stray_in(const Chain& chain, std::size_t of, TextureFormat format) {
+  const TextureLevel& base = chain[0];
+  const TextureLevel& above = chain[of - 1];
+  const TextureLevel& level = chain[of];
+  const Window whole{{0, base.width - 1}, {0, base.height - 1}};
+  std::optional<StrayTexel> found;
+  for (std::size_t c = 0; c < 4; ++c) {
+    const Interval range = range_of(base, whole, c);
+    const bool is_one_color = range.low == range.high;
+    for (int j = 0; j < level.height; ++j)
+      for (int i = 0; i < level.width; ++i) {
+        const std::size_t texel = level.index(i, j);
+        if (is_one_color && !is_within(level.texels[texel + c], range, format))
+          return StrayTexel{of, texel / 4, c, range, true, kRuling};
+        const int ruling = ruling_on(level, i, j, c, above, format);
+        if (ruling == 0 || (found && (found->ruling == kRuling || ruling != kRuling))) continue;
+        const Window widest = window_of(i, j, level, above, widest_span);
+        found = StrayTexel{of, texel / 4, c, range_of(above, widest, c), false, ruling};
+      }
+  }
+  return found;
+}
+
 std::optional<StrayTexel> find_stray(const Chain& chain, TextureFormat format) {
   std::optional<StrayTexel> found;
-  for (std::size_t level = 1; level < chain.size(); ++level)
-    for (std::size_t c = 0; c < 4; ++c) {
-      const auto of_base = stray_in(chain, level, c, chain[0], format);
-      if (of_base && of_base->of_one_color) return of_base;
-      if (found) continue;
-      found = stray_in(chain, level, c, chain[level - 1], format);
-      if (found) found->of_one_color = false;
-    }
+  for (std::size_t level = 1; level < chain.size(); ++level) {
+    const auto stray = stray_in(chain, level, format);
+    if (!stray) continue;
+    if (stray->ruling == kRuling) return stray;
+    if (!found) found = stray;
+  }
   return found;
 }
 
 void report_stray(const ReportedChain& chain, const StrayTexel& stray, Result& result) {
   Disagreement d = about_texture(RuleId::mipmap_filter);
-  if (!stray.of_one_color) d.ruling = kRulingOnHull;
+  d.ruling = stray.ruling;
   const TextureLevel& level = chain.reported[stray.level];
   d.exact = {
       static_cast<double>(chain.exact[stray.level].texels[4 * stray.texel + stray.component])};
   d.rendered = {static_cast<double>(level.texels[4 * stray.texel + stray.component])};
-  const std::string of_above = stray.of_one_color
-                                   ? fmt::format("all of level 0 has {:.9g}", stray.range.low)
-                                   : fmt::format("level {} has {:.9g} to {:.9g}", stray.level - 1,
-                                                 stray.range.low, stray.range.high);
+  const std::string of_above =
+      stray.of_one_color ? fmt::format("all of level 0 has {:.9g}", stray.range.low)
+                         : fmt::format("level {} has {:.9g} to {:.9g} within two texels",
+                                       stray.level - 1, stray.range.low, stray.range.high);
   constexpr const char* kComponents[] = {"red", "green", "blue", "alpha"};
   d.explanation = fmt::format("level {} of texture {}: texel {} has a {} of {:.9g}, and {}",
                               stray.level, chain.texture, stray.texel, kComponents[stray.component],

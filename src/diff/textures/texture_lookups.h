@@ -117,6 +117,10 @@ class TextureLookups {
   // For a level of detail, only lambda'.
   Interval permitted_lambda(const Fragment& fragment, Reach reach = Reach::all);
 
+  // Beyond the permitted colours by their range, in each component: what filters with negative
+  // weights may make of them.
+  Boxes overshooting_colors(const Fragment& fragment);
+
   // True if each level that an anisotropic filter may access has one colour.
   bool has_levels_of_one_color(const Fragment& fragment) const;
 

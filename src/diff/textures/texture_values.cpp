@@ -156,9 +156,10 @@ class LookupComparison {
   // The ruling on a lookup that is not permitted; results of coarse samplers are contested.
   int ruling_on(const ReportedLookup& lookup) const {
     if (lookups_.use_of(*lookup.fragment).sampler.max_anisotropy > 1)
-      return subject_.is_query || lookups_.has_levels_of_one_color(*lookup.fragment)
-                 ? kRulingOnAnisotropy
-                 : kRulingOnAnisotropicHull;
+      return !subject_.is_query && !lookups_.has_levels_of_one_color(*lookup.fragment) &&
+                     hold(lookups_.overshooting_colors(*lookup.fragment), lookup.rendered)
+                 ? kRulingOnAnisotropicHull
+                 : kRulingOnAnisotropy;
     if (hold(at_most(lookup, Reach::coarse), lookup.rendered)) return kRulingOnPrecision;
     if (!subject_.is_query && hold(at_most(lookup, Reach::coarse_srgb), lookup.rendered))
       return kRulingOnSrgb;

@@ -341,13 +341,16 @@ Rule anisotropy_rule() {
        "Anisotropy: the maximum that a sampler sets is a request, and the method an example; the "
        "catalogued method that comes closest is reported. Any method may access mip levels only "
        "if the minification filter uses them, and none outside base_level to max_level (8.14). "
-       "So if the maximum is more than 1, a level accessed is one of these levels, and if each "
-       "of them has one colour, each component of the result lies between the least and the "
-       "largest of them; lambda' may be anything."},
+       "So if the maximum is more than 1, a level accessed is one of these levels; lambda' may be "
+       "anything. If each of the levels has one colour, each component of the result lies between "
+       "the least and the largest of them. Else it leaves what lies between the least and the "
+       "largest of their texels by the difference of both at most, since cubic and Lanczos "
+       "filters, whose weights may be negative, lead no further."},
       {57,
-       "Anisotropy: a component beyond the least and the largest of the texels that a filter may "
-       "access is contested where levels are of many colours: no mean leads there, but filters "
-       "with negative weights do, and the scheme is the implementation's (8.14)."}};
+       "Contested: a component that an anisotropic filter makes of levels of many colours does "
+       "not lie between the least and the largest of the texels that it may access. No mean "
+       "leads there, but filters with negative weights do, and the scheme is the "
+       "implementation's (8.14); beyond ruling 23 it is a violation."}};
   return rule;
 }
 

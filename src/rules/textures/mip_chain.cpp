@@ -138,11 +138,17 @@ Rule mipmap_filter_rule() {
         "level 0, which is given and stays. OpenGL leaves the filter open, and with it rounding "
         "and whether sRGB texels are decoded before they are averaged. But levels are filtered "
         "reductions of the image: a component that is the same in all of level 0 stays the same, "
-        "within one code of 8 bits or 1 part in 10^5."},
+        "and a texel has to do with those of the level above that its area covers and with the "
+        "next two on each side. It leaves what lies between the least and the largest of these "
+        "by their difference at most, since cubic and Lanczos filters, whose weights may be "
+        "negative, lead no further. All of this is meant within one code of 8 bits or 1 part in "
+        "10^5."},
        {48,
-        "A generated level that leaves what lies between the least and the largest of the level "
-        "above, by more than one code of 8 bits or 1 part in 10^5, is contested: no mean does, but "
-        "filters with negative weights do, and no particular filter is required (8.14.4)."}}};
+        "Contested: a texel of a generated level does not lie between the least and the largest "
+        "of the texels of the level above that lie at most half a texel of its own beyond its "
+        "area, within one code of 8 bits or 1 part in 10^5. The Khronos tests fail it. No mean "
+        "leads there, but wide filters and those with negative weights do, and no particular "
+        "filter is required (8.14.4); beyond ruling 25 it is a violation."}}};
 }
 
 Rule mipmap_rounding_rule() {

@@ -78,13 +78,14 @@ void add_textures_sources(std::map<int, RulingSource>& of) {
 
   of[25] = {.clause = "8.14.4 (Manual Mipmap Generation)",
             .quotation =
-                "No particular filter algorithm is required, though a box filter is recommended "
-                "as the default filter",
+                "The contents of the derived images are computed by repeated, filtered reduction "
+                "of the level_base image",
             .khronos =
                 "dEQP-GLES3.functional.texture.mipmap.2d.generate.* (gluTextureTestUtil.cpp): "
                 "level 0 unchanged; each level by bilinear or box within 4 bits of position; "
                 "else \"very lenient\": within the least and most of the texels of the level "
-                "above in a window of 1.5 texels = quality warning; beyond = failure",
+                "above that lie up to half a texel beyond its area, ends included, without "
+                "tolerance = quality warning; beyond = failure",
             .es =
                 "8.14.4: same; sRGB formats must be colour-renderable and filterable, else an "
                 "error"};
@@ -116,7 +117,8 @@ void add_textures_sources(std::map<int, RulingSource>& of) {
                 "dEQP-GLES3.functional.texture.mipmap.2d.generate.* (gluTextureTestUtil.cpp): "
                 "level 0 unchanged; each level by bilinear or box within 4 bits of position; "
                 "else \"very lenient\": within the least and most of the texels of the level "
-                "above in a window of 1.5 texels = quality warning; beyond = failure",
+                "above that lie up to half a texel beyond its area, ends included, without "
+                "tolerance = quality warning; beyond = failure",
             .es =
                 "8.14.4: same; sRGB formats must be colour-renderable and filterable, else an "
                 "error"};

@@ -6,6 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "raster/rasterizer.h"
 #include "rules/textures/mip_chain.h"
@@ -135,24 +140,72 @@ TEST(MipChainValues, AnImageOfOneColourStaysSo) {
             std::set<int>{25});
 }
 
-// Beyond the least and the largest of the level above lies what filters with negative weights make.
-TEST(MipChainValues, WhatLiesBeyondTheLevelAboveIsContested) {
-  const Scene& scene = textures_named("generated codes");
-  const auto rulings_by = [&](float beyond) {
-    std::set<int> rulings;
-    const Result result = with_chain(scene, [&](Chain& chain) {
-      float most = 0;
-      for (std::size_t i = 1; i < chain[0].texels.size(); i += 4)
-        most = std::max(most, chain[0].texels[i]);
-      chain[1].texels[5] = most + beyond;
+// An image of 16x16 that is black on the left and white on the right, and what is told of the
+// levels that are made of it: the rulings that it breaks.
+std::set<int> rulings_of_halves(const std::function<void(Chain&)>& change) {
+  Scene scene = generated_scene(16, 16, TextureFormat::rgba8);
+  Texture texture = *scene.textures[0];
+  for (int j = 0; j < 16; ++j)
+    for (int i = 0; i < 16; ++i)
+      for (std::size_t c = 0; c < 4; ++c)
+        texture.levels[0].texels[texture.levels[0].index(i, j) + c] = i < 8 ? 50 : 200;
+  scene.textures = {std::make_shared<const Texture>(texture)};
+  std::set<int> rulings;
+  for (const Disagreement& d : with_chain(scene, change).disagreements)
+    if (!is_legal(d) && d.rule == "mipmap.filter") rulings.insert(d.ruling);
+  return rulings;
+}
+
+// Levels of extreme renderers.
+TEST(MipChainValues, LevelsThatAreNoReductionsAreViolations) {
+  EXPECT_EQ(rulings_of_halves([](Chain&) {}), std::set<int>{});
+  EXPECT_EQ(rulings_of_halves([](Chain& chain) { std::ranges::reverse(chain[1].texels); }),
+            std::set<int>{25});
+  for (const float constant : {0.F, 50.F, 200.F, 255.F})
+    EXPECT_EQ(
+        rulings_of_halves([&](Chain& chain) { std::ranges::fill(chain[1].texels, constant); }),
+        std::set<int>{25})
+        << constant;
+  EXPECT_EQ(rulings_of_halves([](Chain& chain) {
+              for (std::size_t i = 0; i < chain[1].texels.size(); ++i)
+                chain[1].texels[i] = static_cast<float>(i * 97 % 256);
+            }),
+            std::set<int>{25});
+}
+
+// Of 8x8 texels in level 1, those of column i are made of columns 2i and 2i + 1. A difference of
+// 150 codes is 16 columns wide.
+TEST(MipChainValues, TexelsHaveToDoWithThoseNearThem) {
+  const auto rulings_by = [](int column, float code) {
+    return rulings_of_halves([&](Chain& chain) {
+      for (std::size_t c = 0; c < 4; ++c) chain[1].texels[chain[1].index(column, 3) + c] = code;
     });
-    for (const Disagreement& d : result.disagreements)
-      if (!is_legal(d) && d.rule == "mipmap.filter") rulings.insert(d.ruling);
-    return rulings;
   };
-  EXPECT_EQ(rulings_by(0), std::set<int>{});
-  EXPECT_EQ(rulings_by(1), std::set<int>{});
-  EXPECT_EQ(rulings_by(2), std::set<int>{48});
+  // Columns 4 to 9 are the window of column 3, and 5 to 9 that of the tests.
+  EXPECT_EQ(rulings_by(3, 200), std::set<int>{});
+  EXPECT_EQ(rulings_by(3, 201), std::set<int>{});
+  EXPECT_EQ(rulings_by(3, 202), std::set<int>{48});
+  EXPECT_EQ(rulings_by(3, 49), std::set<int>{});
+  EXPECT_EQ(rulings_by(3, 0), std::set<int>{48});
+  // Columns 6 to 11 are the window of column 4, and 7 to 11 that of the tests: one black column.
+  EXPECT_EQ(rulings_by(4, 50), std::set<int>{});
+  // Columns 8 to 13 are the window of column 5.
+  EXPECT_EQ(rulings_by(5, 199), std::set<int>{});
+  EXPECT_EQ(rulings_by(5, 198), std::set<int>{25});
+  EXPECT_EQ(rulings_by(2, 51), std::set<int>{});
+  EXPECT_EQ(rulings_by(2, 52), std::set<int>{25});
+}
+
+// Whatever the size, a mean of texels near a texel's own is permitted.
+TEST(MipChainValues, CataloguedFiltersOfAnySizeArePermitted) {
+  for (const auto& [width, height] :
+       {std::pair(13, 7), std::pair(16, 1), std::pair(3, 5), std::pair(31, 2), std::pair(9, 9)})
+    for (const MipmapFilter filter : values_of<MipmapFilter>()) {
+      const Scene scene = generated_scene(width, height, TextureFormat::rgba8);
+      const Result result =
+          judge_follower(scene, {std::string("mipmap.filter=") + name_of(filter)});
+      EXPECT_LE(result.verdict, Verdict::convention) << describe_textures(result);
+    }
 }
 
 TEST(MipChainValues, AllPairsOfFilterAndRoundingAreNamed) {

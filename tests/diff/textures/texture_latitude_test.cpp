@@ -190,7 +190,26 @@ TEST(TextureLatitude, AnisotropicFiltersStayAmongTheirLevels) {
   EXPECT_EQ(accessed(5), std::set<int>{});  // of 32x32, the last one
   EXPECT_EQ(accessed(5.25), std::set<int>{23});
   const auto far = [](Fragment& f, FragmentDetail&) { f.color[2] += 1e6; };
-  EXPECT_EQ(rulings_by(far), std::set<int>{57});
+  EXPECT_EQ(rulings_by(far), std::set<int>{23});
+  // Filters with negative weights may lead beyond the texels by their range, and no further.
+  double least = HUGE_VAL;
+  double most = -HUGE_VAL;
+  for (const TextureLevel& level : scene.textures[0]->levels)
+    for (std::size_t i = 2; i < level.texels.size(); i += 4) {
+      least = std::min(least, static_cast<double>(level.texels[i]));
+      most = std::max(most, static_cast<double>(level.texels[i]));
+    }
+  const double unit = scene.textures[0]->format == TextureFormat::rgba32f ? 1 : 255;
+  const auto blue = [&](double shares_beyond) {
+    return rulings_by([&](Fragment& f, FragmentDetail&) {
+      f.color[2] = (most + shares_beyond * (most - least)) / unit;
+    });
+  };
+  EXPECT_EQ(blue(0), std::set<int>{});
+  EXPECT_EQ(blue(0.9), std::set<int>{57});
+  EXPECT_EQ(blue(1.2), std::set<int>{23});
+  EXPECT_EQ(blue(-1.9), std::set<int>{57});
+  EXPECT_EQ(blue(-2.2), std::set<int>{23});
   scene.draws[0].texture->sampler.mipmap = MipFilter::none;
   EXPECT_EQ(accessed(0), std::set<int>{});
   EXPECT_EQ(accessed(0.5), std::set<int>{23});
