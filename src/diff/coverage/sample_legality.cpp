@@ -17,8 +17,10 @@ namespace {
 
 constexpr Fixed kHalf = Fixed::from_raw(Fixed::kOne / 2);
 
-// "less than 1/256 pixel", with the addition of ruling 15.
-std::string move_of(Fixed error, int bits) {
+// "less than 1/256 pixel", with the addition of ruling 15; or its error alone, if that is larger.
+std::string move_of(Fixed error, int bits, Fixed reach = {}) {
+  if (reach > grid_step(bits) + error)
+    return fmt::format("less than {:.2g} pixel (ruling 15)", reach.to_double());
   std::string text = fmt::format("less than 1/{} pixel", 1 << bits);
   if (error != Fixed())
     text += fmt::format(" and {:.2g} by the division by w (ruling 15)", error.to_double());
@@ -187,11 +189,11 @@ CoverageLegality SampleJudge::judge(const CoverageDifference& difference, Point 
   result.legal = is_possible(sample, extra);
   result.reason = reason([&] {
     const bool is_sized = primitive_.kind != PrimitiveKind::triangle;
-    return fmt::format("{} move of the {} by {}{} {} the sample {}", result.legal ? "some" : "no",
-                       point ? "vertex" : "vertices", move_of(error_, terms_.bits),
-                       is_sized ? text_of(latitudes_.sizes) : "",
-                       result.legal ? "puts" : "could put",
-                       extra ? "inside or on the boundary" : "outside or on the boundary");
+    return fmt::format(
+        "{} move of the {} by {}{} {} the sample {}", result.legal ? "some" : "no",
+        point ? "vertex" : "vertices", move_of(error_, terms_.bits, latitudes_.reach),
+        is_sized ? text_of(latitudes_.sizes) : "", result.legal ? "puts" : "could put",
+        extra ? "inside or on the boundary" : "outside or on the boundary");
   });
   return result;
 }
@@ -238,7 +240,8 @@ CoverageLegality SampleJudge::judge_facing(const CoverageDifference& difference,
   const bool turns = extra ? may_be_drawn : may_be_culled;
   const std::string facing = reason([&] {
     return fmt::format("{} move of the vertices by {} turns the triangle so that it is {}culled",
-                       turns ? "some" : "no", move_of(error_, terms_.bits), extra ? "not " : "");
+                       turns ? "some" : "no", move_of(error_, terms_.bits, latitudes_.reach),
+                       extra ? "not " : "");
   });
   if (extra && !turns) return {false, kRuling, kRule, facing};
   if (extra && is_culled(primitive_, primitive_.positions, FacingMethod::as_set))

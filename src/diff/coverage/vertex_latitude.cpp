@@ -19,13 +19,18 @@ namespace {
 // "About 1 part in 10^5" (GL 4.6 core, 2.3.1).
 constexpr std::int64_t kParts = 100000;
 
+// Whether a coordinate is divided by w before it is scaled. With w = 1 it is as it was: 2.3.4.1 has
+// 1 x = x.
+enum class Division { by_one, by_w };
+
 // For one coordinate, raw: the division and the scaling each err by a part of the distance from the
 // viewport's centre, the addition of the centre by a part of the sum. One more raw unit covers the
 // rounding of the coordinate, half a unit at most, and the products of errors, less than 3 parts in
 // 10^10 of 2^13 pixels each.
-std::int64_t error_of_coordinate(Fixed at, int low, int size) {
+std::int64_t error_of_coordinate(Fixed at, int low, int size, Division division) {
   const std::int64_t centre = (2 * std::int64_t{low} + size) * (Fixed::kOne / 2);
-  const std::int64_t parts = 2 * std::abs(at.raw() - centre) + std::abs(at.raw());
+  const std::int64_t operations = division == Division::by_w ? 2 : 1;
+  const std::int64_t parts = operations * std::abs(at.raw() - centre) + std::abs(at.raw());
   return (parts + kParts - 1) / kParts + 1;
 }
 
@@ -34,9 +39,10 @@ Fixed snapped_error(Snap snap, Fixed exact, Fixed nearest, Fixed error) {
   return std::max(snap(nearest + error) - exact, exact - snap(nearest - error));
 }
 
-Fixed error_of_position(Point at, const Viewport& viewport) {
-  return Fixed::from_raw(std::max(error_of_coordinate(at.x, viewport.x, viewport.width),
-                                  error_of_coordinate(at.y, viewport.y, viewport.height)));
+Fixed error_of_position(Point at, const Viewport& viewport, Division division = Division::by_w) {
+  return Fixed::from_raw(
+      std::max(error_of_coordinate(at.x, viewport.x, viewport.width, division),
+               error_of_coordinate(at.y, viewport.y, viewport.height, division)));
 }
 
 // A vertex made by clipping is divided as the others are, and has the further error of its making.
@@ -94,8 +100,20 @@ Fixed division_error(const ScenePrimitive& primitive) {
   return largest;
 }
 
+Fixed scaling_error(const ScenePrimitive& primitive) {
+  if (primitive.is_clipped || primitive.is_cut) return {};
+  Fixed largest;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(vertices_of(primitive.kind)); ++i) {
+    const Vertex& vertex = *primitive.vertices[i];
+    if (vertex.clip || vertex.w != 1) continue;
+    largest = std::max(largest, error_of_position(nearest_point(primitive.positions[i]),
+                                                  primitive.viewport, Division::by_one));
+  }
+  return largest;
+}
+
 Fixed reach_of(const ScenePrimitive& primitive, int bits) {
-  return grid_step(bits) + division_error(primitive);
+  return std::max(grid_step(bits) + division_error(primitive), scaling_error(primitive));
 }
 
 LoosePolygon loose_polygon(const ScenePrimitive& triangle, int bits) {

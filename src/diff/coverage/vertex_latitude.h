@@ -5,7 +5,9 @@
 // Ruling 4 lets a vertex move by less than a step of the sub-pixel grid. A vertex whose w is not 1,
 // or that is given as clip coordinates, also went through a division, a scaling and an addition,
 // each of which may err (ruling 15). Points and triangles are judged by the sum of both; lines,
-// which are read under one snap, by where that snap may put the erring vertex.
+// which are read under one snap, by where that snap may put the erring vertex. A vertex given in
+// the window with w = 1 was scaled and added to as well: points and triangles are judged by that
+// error where it is larger than the step.
 #pragma once
 
 #include "exact/fixed.h"
@@ -23,6 +25,10 @@ Fixed division_error(const Vertex& vertex, Point position, const Viewport& viewp
 // The largest error of a primitive's vertices. For the visible part of a clipped triangle and for a
 // cut line, this includes the vertices made by clipping, which are off by more (ruling 42).
 Fixed division_error(const ScenePrimitive& primitive);
+
+// Ruling 15 for vertices given in the window with w = 1: how far the scaling and the addition may
+// put the farthest of them off, pixels; 0 if there is none.
+Fixed scaling_error(const ScenePrimitive& primitive);
 
 // Rulings 4 and 15 together: each vertex may move by less than this. `bits` as in ruling 4.
 Fixed reach_of(const ScenePrimitive& primitive, int bits);

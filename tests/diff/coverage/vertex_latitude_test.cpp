@@ -146,24 +146,68 @@ TEST(Ruling15, ConvictsNoRendererWhoseDivisionErred) {
   EXPECT_GT(verdicts[Verdict::convention] + verdicts[Verdict::permitted], 100);
 }
 
-// One rendering, and only w differs: a vertex that is not divided may not err.
-TEST(Ruling15, IsForVerticesThatAreDivided) {
+// One rendering, and only w differs: a vertex that is not divided errs by less. Of x, at 3 of 16
+// pixels, 13 parts with a division, and 8 without.
+TEST(Ruling15, IsLargerForVerticesThatAreDivided) {
   const auto at = [](std::int64_t beside) {
     return Point{Fixed::from_raw(3 * Fixed::kOne + beside), Fixed::from_raw(17 * Fixed::kOne / 4)};
   };
   Scene given = clip_scene(Primitive::points, {{0, 0, 0, 1}});
   Vertex& vertex = given.draws[0].vertices[0];
   vertex.clip.reset();
-  vertex.position = at(5);
+  vertex.position = at(8);
   Scene seen = given;
-  seen.draws[0].vertices[0].position = at(-5);
+  seen.draws[0].vertices[0].position = at(-8);
   EXPECT_EQ(verdict(given, seen, {}, 16), Verdict::violation);
   vertex.w = 3;
   EXPECT_NE(verdict(given, seen, {}, 16), Verdict::violation);
-  // -0.625 of 8 pixels is 3, and 5 raw units of 2^-16 pixel are 5 * 2^-19 of them.
-  vertex.clip = ClipPosition{-0.625F + 5.0F / (1 << 19), -0.46875F, 0, 1};
+  // -0.625 of 8 pixels is 3, and 8 raw units of 2^-16 pixel are 8 * 2^-19 of them.
+  vertex.clip = ClipPosition{-0.625F + 8.0F / (1 << 19), -0.46875F, 0, 1};
   ASSERT_EQ(nearest_point(primitives_of(given)[0].positions[0]), vertex.position);
   EXPECT_NE(verdict(given, seen, {}, 16), Verdict::violation);
+}
+
+// A pixel's centre 1/128 pixel inside the right edge, 1996 pixels from the left of the viewport.
+Scene far_right_edge(float w) {
+  Scene scene;
+  scene.target.width = 2048;
+  scene.target.height = 4;
+  scene.viewport = {0, 0, 2048, 4};
+  Draw draw;
+  const Fixed x = Fixed::from_raw(1996 * Fixed::kOne + 65 * Fixed::kOne / 128);
+  for (const Point at : {Point{Fixed::from_integer(1990), Fixed()}, Point{x, Fixed()},
+                         Point{x, Fixed::from_integer(4)}}) {
+    Vertex vertex;
+    vertex.position = at;
+    vertex.w = w;
+    draw.vertices.push_back(vertex);
+  }
+  scene.draws = {draw};
+  return scene;
+}
+
+// 2.3.4.1 speaks of each operation: the position of a vertex is a product and a sum whatever w is.
+// Where that is less than the step of ruling 4, w = 1 adds nothing to it.
+TEST(Ruling15, IsForEveryWFarFromTheCentre) {
+  for (const float w : {1.0F, 2.0F}) {
+    const Scene given = far_right_edge(w);
+    const auto moved_left_by = [&](std::int64_t raw) {
+      Scene seen = given;
+      for (std::size_t i : {1U, 2U}) {
+        Point& at = seen.draws[0].vertices[i].position;
+        at.x = at.x - Fixed::from_raw(raw);
+      }
+      return verdict(given, seen, {}, 8);
+    };
+    // 9 parts in 10^6 of the 972 pixels from the viewport's centre are 1/114 pixel.
+    EXPECT_NE(moved_left_by(9 * 972 * Fixed::kOne / 1000000), Verdict::violation) << w;
+    EXPECT_EQ(moved_left_by(Fixed::kOne / 2), Verdict::violation) << w;
+  }
+  const ScenePrimitive far = primitives_of(far_right_edge(1))[0];
+  // (972.5 + 1996.5) parts in 10^5, and a little more for 1/128.
+  EXPECT_NEAR(scaling_error(far).to_double(), 0.02969, 0.00002);
+  EXPECT_EQ(reach_of(far, 8), scaling_error(far));
+  EXPECT_EQ(reach_of(far, 4), grid_step(4));
 }
 
 // Far more than a division may err: points and triangles beyond a step of 8 bits and ruling 15.
