@@ -120,9 +120,10 @@ void OperationsAggregates::count(const StoredSample& stored) {
 }
 
 OperationsAggregates::Part& OperationsAggregates::part_for(OperationsReason reason) {
-  return reason == OperationsReason::depth_test ? depth_tests_
-         : reason == OperationsReason::facing   ? facings_
-                                                : alphas_;
+  return reason == OperationsReason::depth_test    ? depth_tests_
+         : reason == OperationsReason::facing      ? facings_
+         : reason == OperationsReason::test_of_one ? tests_of_one_
+                                                   : alphas_;
 }
 
 void OperationsAggregates::add(const OperationsQuestion& question, OperationsReason reason,
@@ -202,7 +203,8 @@ void OperationsAggregates::flush(Result& result) const {
   flush(converted_, colors_, 4, result);
   flush(blended_, colors_, 4, result);
   flush(stored_depths_, depths_, 1, result);
-  for (const Part* part : {&depth_tests_, &facings_, &alphas_}) flush(*part, samples_, 1, result);
+  for (const Part* part : {&depth_tests_, &facings_, &alphas_, &tests_of_one_})
+    flush(*part, samples_, 1, result);
 }
 
 }  // namespace edgecase

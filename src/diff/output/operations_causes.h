@@ -93,6 +93,7 @@ class OperationsAggregates {
   Part depth_tests_{"depth test", RuleId::depth_test, {}, {}};
   Part facings_{"facing", RuleId::polygon_facing, {}, {}};
   Part alphas_{"written samples", RuleId::sample_alpha_to_coverage, {}, {}};
+  Part tests_of_one_{"tests of one sample for all", RuleId::sample_enable, {}, {}};
 };
 
 }  // namespace edgecase

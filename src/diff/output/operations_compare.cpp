@@ -2,12 +2,15 @@
 #include "diff/output/operations_compare.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "diff/findings/add_disagreement.h"
 #include "diff/findings/patience.h"
 #include "diff/output/operations_causes.h"
 #include "diff/output/operations_question.h"
+#include "diff/output/test_of_one_sample.h"
 #include "rules/all_rules.h"
 #include "rules/values/framebuffer.h"
 
@@ -62,7 +65,9 @@ class OperationsComparison {
   void run(Result& result) {
     for_each_sample(context_, arrivals_, rendered_,
                     [&](const OperationsQuestion& question) { compare(question); });
+    excuse_tests_of_one();
     aggregates_.flush(result);
+    for (const OperationsQuestion& question : missed_) causes_.add(question);
     if (are_unconverted()) {
       report_unconverted(result);
     } else {
@@ -86,7 +91,56 @@ class OperationsComparison {
       return;
     }
     (agrees ? excused_ : missed_).push_back(question);
-    (agrees ? excused_causes_ : causes_).add(question);
+    if (agrees) excused_causes_.add(question);
+  }
+
+  // Calls `visit` with the questions of each pixel, by row and column.
+  template <class Visit>
+  void for_each_pixel(const Visit& visit) const {
+    std::vector<OperationsQuestion> pixel;
+    for_each_sample(context_, arrivals_, rendered_, [&](const OperationsQuestion& question) {
+      pixel.push_back(question);
+      if (pixel.size() < static_cast<std::size_t>(rendered_.samples)) return;
+      visit(pixel);
+      pixel.clear();
+    });
+  }
+
+  // The missed pixels that tests of one sample for all account for; nothing if some other pixel
+  // shows that this sample is not the one that is tested.
+  std::optional<std::vector<PixelPosition>> pixels_by_test_of(int tested) const {
+    std::vector<PixelPosition> pixels;
+    bool is_refuted = false;
+    auto missed = missed_.begin();
+    for_each_pixel([&](const std::vector<OperationsQuestion>& pixel) {
+      const PixelPosition at = pixel.front().pixel;
+      const bool is_missed = missed != missed_.end() && missed->pixel == at;
+      while (missed != missed_.end() && missed->pixel == at) ++missed;
+      if (is_refuted || !may_test_one_sample(pixel)) return;
+      const bool agrees = agrees_by_test_of(pixel, tested);
+      if (agrees && is_missed) pixels.push_back(at);
+      is_refuted = !agrees && !is_missed;
+    });
+    return is_refuted ? std::nullopt : std::optional(std::move(pixels));
+  }
+
+  // Ruling 35: samples that one sample's tests account for, the same one in the whole case, are
+  // permitted.
+  void excuse_tests_of_one() {
+    if (missed_.empty() || rendered_.samples == 1) return;
+    std::vector<PixelPosition> most;
+    for (int tested = 0; tested < rendered_.samples; ++tested) {
+      const auto pixels = pixels_by_test_of(tested);
+      if (pixels && pixels->size() > most.size()) most = *pixels;
+    }
+    std::vector<OperationsQuestion> left;
+    for (const OperationsQuestion& question : missed_) {
+      if (std::ranges::find(most, question.pixel) == most.end())
+        left.push_back(question);
+      else
+        aggregates_.add(question, OperationsReason::test_of_one, question.exact(chosen_));
+    }
+    missed_.swap(left);
   }
 
   // True if comparing depths before their conversion accounts for all samples (ruling 55).

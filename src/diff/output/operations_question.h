@@ -60,7 +60,8 @@ enum class OperationsReason {
   depth_test,  // a comparison of depths that may go either way
   facing,
   alpha,
-  none,  // nothing accounts for it
+  test_of_one,  // a test of one sample for all, without GL_MULTISAMPLE: of whole pixels alone
+  none,         // nothing accounts for it
 };
 OperationsReason reason_for(const OperationsQuestion& question);
 

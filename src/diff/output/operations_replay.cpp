@@ -305,7 +305,9 @@ Arrival Arrivals::arrival_of(const Fragment& fragment, std::span<const Fragment>
                              int sample, const RuleChoices& choice, Tracked tracked) const {
   Arrival arrival;
   arrival.fragment = &fragment;
-  arrival.operations = &context_.primitive_of(fragment).state->operations;
+  const Draw& draw = *context_.primitive_of(fragment).state;
+  arrival.operations = &draw.operations;
+  arrival.is_unsampled = context_.scene.target.samples > 1 && !draw.multisampling.enabled;
   const PixelTruth truth = truth_of_fragment(context_, fragment);
   arrival.color = truth.exact;
   for (std::size_t c = 0; c < 4; ++c) arrival.permitted_color[c] = accepted(truth, c);

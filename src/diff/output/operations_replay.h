@@ -53,6 +53,7 @@ struct Arrival {
   bool writes_depth = true;              // if the draw does
   bool front_facing = true;
   bool may_face_otherwise = false;
+  bool is_unsampled = false;  // of a draw without GL_MULTISAMPLE, on a target of several samples
   // By alpha to coverage: under the choice, and as ruling 33 permits.
   bool is_kept = true;
   bool may_be_kept = true;
@@ -144,6 +145,8 @@ class Replay {
   std::vector<SampleState> after(std::vector<SampleState> states, const Arrival& arrival) const;
   // The states after all fragments, from the clear values on. With no freedom, one state.
   std::vector<SampleState> run(std::span<const Arrival> arrivals) const;
+  // The state after one more fragment that has passed all tests, which leaves its stencil value.
+  SampleState written(SampleState state, const Arrival& arrival) const;
 
  private:
   struct Outcomes {
@@ -159,7 +162,6 @@ class Replay {
   Outcomes depth_outcomes(const SampleState& state, const Arrival& arrival) const;
   void step(std::vector<SampleState>& states, const Arrival& arrival,
             std::vector<SampleState>& next) const;
-  SampleState written(SampleState state, const Arrival& arrival) const;
   void set_permitted_color(const Arrival& arrival, SampleState& state) const;
   bool has_either_depth(const SampleState& state, const Arrival& arrival) const;
   bool compares_unconverted() const {
