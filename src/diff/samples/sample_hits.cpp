@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "diff/samples/sample_values.h"
 #include "diff/values/pixel_values.h"
 #include "diff/values/sample_writers.h"
+#include "rules/samples/alpha_thresholds.h"
 #include "rules/samples/sample_mask.h"
 
 namespace edgecase {
@@ -83,8 +85,8 @@ class HitComparison {
     });
   }
 
-  // Reports numbers of samples that are not proportional to alpha, and fragments of one alpha that
-  // keep different samples of a pixel.
+  // Reports numbers of samples that are not proportional to alpha, not even over all pixels, and
+  // fragments of one alpha that keep different samples of a pixel.
   void judge_masks(Result& result) const {
     std::vector<WholePixel> whole;
     for_each_pixel([&](PixelPosition pixel, std::span<const Fragment> fragments) {
@@ -94,12 +96,19 @@ class HitComparison {
         whole.push_back({pixel, fragments.front().color[3], *kept});
       return true;
     });
-    const int ruling = falls_with_alpha(whole) ? kAlphaRuling : kProportionRuling;
-    for (const WholePixel& one : whole) {
+    std::erase_if(whole, [](const WholePixel& one) { return std::isnan(one.alpha); });
+    const auto is_off = [&](const WholePixel& one) {
       const bool is_end = !(one.alpha > 0 && one.alpha < 1);  // other rulings decide the ends
-      if (!is_end && !is_proportional(one.alpha, one.kept, rendered_.samples))
-        report_proportion(one, ruling, result);
-    }
+      return !is_end && !is_proportional(one.alpha, one.kept, rendered_.samples);
+    };
+    if (std::ranges::none_of(whole, is_off)) return;
+    std::vector<KeptByAlpha> pixels;
+    for (const WholePixel& one : whole) pixels.push_back({one.alpha, one.kept});
+    const AlphaTrend trend = trend_of(pixels, rendered_.samples);
+    if (trend == AlphaTrend::proportional) return;
+    const int ruling = trend == AlphaTrend::falling ? kAlphaRuling : kProportionRuling;
+    for (const WholePixel& one : whole)
+      if (is_off(one)) report_proportion(one, ruling, result);
   }
 
   // The number of samples that were written by all fragments of a pixel, which have one alpha;
@@ -117,22 +126,6 @@ class HitComparison {
       if (hits < fragments.size()) report_two_masks(pixel, fragments, sample, hits, result);
     }
     return is_one_mask ? std::optional(kept) : std::nullopt;
-  }
-
-  // True if the mean number of kept samples falls from an alpha to a larger one.
-  static bool falls_with_alpha(std::vector<WholePixel> whole) {
-    std::ranges::sort(whole, {}, &WholePixel::alpha);
-    double before = 0;
-    for (auto first = whole.begin(); first != whole.end();) {
-      double sum = 0;
-      auto last = first;
-      for (; last != whole.end() && last->alpha == first->alpha; ++last) sum += last->kept;
-      const double mean = sum / static_cast<double>(last - first);
-      if (mean < before) return true;
-      before = mean;
-      first = last;
-    }
-    return false;
   }
 
   void report_proportion(const WholePixel& one, int ruling, Result& result) const {

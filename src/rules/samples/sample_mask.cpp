@@ -42,7 +42,9 @@ Rule multisample_switch_rule() {
         "target of one sample, and a fragment's coverage is bit 0 alone (15.2.2): any other bit "
         "is a violation, and so is a sample that is not written. The depths of a pixel's "
         "samples are that of its centre, or each its own, or all that of one sample, which the "
-        "implementation takes for the centermost (14.3.1, 17.3.10)."}}};
+        "implementation takes for the centermost (14.3.1, 17.3.10). Stencil and depth tests may be "
+        "done at that sample alone, the same in the whole case: all samples of the pixel then get "
+        "the new stencil value, and all of them get colour and depth, or none does."}}};
 }
 
 Rule sample_mask_rule() {
@@ -127,13 +129,21 @@ Rule alpha_to_coverage_rule() {
       {{33,
         "Alpha to coverage: a fragment whose alpha, clamped to 0 to 1, is 0 writes no sample, one "
         "whose alpha is 1 writes all that it covers, and of others any part of them. Fragments of "
-        "one pixel with the same alpha keep the same samples, and where fragments cover all "
-        "samples, the mean number that they keep does not fall as alpha grows. Where the shader "
-        "runs for each sample, an invocation's alpha counts for its own sample. While "
-        "GL_MULTISAMPLE is disabled it does nothing."},
+        "one pixel with the same alpha keep the same samples. The function may be pseudo-random "
+        "and "
+        "differ from pixel to pixel (14.9.3): a pixel may keep fewer samples than another one of a "
+        "smaller alpha. Where fragments cover all samples, the numbers that they keep fall as "
+        "alpha grows only if a threshold for each sample of each pixel, drawn evenly from 0 to 1, "
+        "yields so low a slope with odds of less than 10^-9, or if one function holds for all "
+        "pixels, since their equal numbers for equal alphas have such odds. Where the shader runs "
+        "for each sample, an invocation's alpha counts for its own sample. While GL_MULTISAMPLE is "
+        "disabled it does nothing."},
        {52,
         "Where a fragment that covers all n samples keeps a number of them that is one or more "
-        "off alpha n, it is contested: 17.3.1 says that the function must have the properties of "
+        "off alpha n, and thresholds as in ruling 33 yield the sum of the case's numbers, their "
+        "slope or their distances from alpha n with odds of less than 10^-9, or one function holds "
+        "for all pixels, it is contested: 17.3.1 says that the function must have the properties "
+        "of "
         "proportionality of 14.9.3, and 14.9.3 calls them intended."}}};
 }
 

@@ -95,8 +95,9 @@ void add_samples_sources(std::map<int, RulingSource>& of) {
 
   of[33] = {.clause = "17.3.1 (Alpha To Coverage); 14.9.3 (Multisample Fragment Operations)",
             .quotation =
-                "The function need not be identical, but it must have the same properties of "
-                "proportionality and invariance",
+                "pseudo-random in nature, to avoid image artifacts due to regular coverage sample "
+                "locations. The algorithm can and probably should be different at different pixel "
+                "locations",
             .khronos =
                 "dEQP-GLES3.functional.multisample.*.proportionality_alpha_to_coverage "
                 "(es3fMultisampleTests.cpp MaskProportionalityCase): image's sum never falls as "

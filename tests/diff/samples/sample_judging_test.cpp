@@ -173,9 +173,11 @@ TEST(SampleJudging, SamplesThatAlphaKeepsAreProportional) {
   const std::vector<float> alphas{0.125F, 0.5F, 0.875F};
   for (const std::vector<int>& kept : {std::vector{0, 2, 3}, std::vector{1, 2, 4}})
     EXPECT_EQ(rulings_of(with_kept(alphas, kept)), std::set<int>{});
-  EXPECT_EQ(rulings_of(with_kept(alphas, {1, 1, 4})), std::set<int>{52});
   EXPECT_EQ(rulings_of(with_kept(alphas, {4, 4, 4})), std::set<int>{52});
-  // Numbers that fall as alpha grows have nothing of it.
+  // 14.9.3: another pixel may have other thresholds, and so fewer samples for a larger alpha.
+  EXPECT_EQ(rulings_of(with_kept(alphas, {1, 1, 4})), std::set<int>{});
+  EXPECT_EQ(rulings_of(with_kept(alphas, {2, 1, 4})), std::set<int>{});
+  // Numbers that fall steeply as alpha grows have nothing of it.
   EXPECT_EQ(rulings_of(with_kept(alphas, {4, 2, 0})), std::set<int>{33});
 }
 
