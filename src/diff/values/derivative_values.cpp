@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "diff/findings/add_disagreement.h"
+#include "diff/values/flat_values.h"
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
 #include "diff/values/value_judge.h"
@@ -299,7 +300,10 @@ class DerivativeComparison {
     Disagreement d = disagreement(reported);
     if (!is_flat(reported))
       d.cause = cause_of_derivatives(context_, *reported.fragment, *reported.detail, kinds_);
-    if (is_by_major_axis(d.cause)) d.ruling = kRulingOnLineValues;
+    if (is_by_major_axis(d.cause)) {
+      d.ruling = kRulingOnLineValues;
+      d.legality = by_letter(may_go_by_major_axis(context_, *reported.fragment));
+    }
     if (d.cause.empty() && is_of_larger_area(reported)) d.ruling = kRulingOnAreas;
     d.explanation += "is no difference of neighbours that the specification permits";
     if (!d.cause.empty()) d.explanation += fmt::format(", but one under {}", text_of(d.cause));

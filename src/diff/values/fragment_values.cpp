@@ -16,7 +16,9 @@
 
 #include "diff/findings/add_disagreement.h"
 #include "diff/findings/patience.h"
+#include "diff/values/coordinate_places.h"
 #include "diff/values/drawn_fragments.h"
+#include "diff/values/flat_values.h"
 #include "diff/values/sample_writers.h"
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"
@@ -47,13 +49,24 @@ Cause wrong_provoking_vertex(const ScenePrimitive& primitive, const Fragment& fr
   return {};
 }
 
-// Flat colours and texture coordinates (ruling 8): those of the provoking vertex, to the bit.
-// `fragment`: of a flat draw, with a colour, or with its texture coordinates in the colour's place.
-// Returns false, and adds a disagreement, if it shows another vertex's value, or no vertex's.
+// True if OpenGL ES may have interpolated a flat colour.
+bool is_permitted_flat(const ValueContext& context, const Fragment& fragment, const Color& color) {
+  for (std::size_t c = 0; c < color.size(); ++c)
+    if (!permitted_flat(context, context.primitive_of(fragment), static_cast<double>(color[c]))
+             .contains(fragment.color[c]))
+      return false;
+  return true;
+}
+
+// Flat colours and texture coordinates (ruling 8): those of the provoking vertex, to the bit, or in
+// OpenGL ES nearly so. `fragment`: of a flat draw, with a colour, or with its texture coordinates
+// in the colour's place. Returns false, and adds a disagreement, if it shows another value.
 bool compare_flat_color(const ValueContext& context, const Fragment& fragment, Result& result) {
   const ScenePrimitive& primitive = context.primitive_of(fragment);
   const Color color = flat_attribute(primitive, context.choices.values.provoking);
-  const bool legal = shows(fragment, flat_attribute(primitive, ProvokingChoice::as_set));
+  const Color lawful = flat_attribute(primitive, ProvokingChoice::as_set);
+  const bool is_copied = shows(fragment, lawful);
+  const bool legal = is_copied || is_permitted_flat(context, fragment, lawful);
   const bool agrees = shows(fragment, color);
   if (agrees && (legal || context.latitude == Latitude::none)) return true;
   Disagreement d =
@@ -65,10 +78,11 @@ bool compare_flat_color(const ValueContext& context, const Fragment& fragment, R
   d.cause = wrong_provoking_vertex(primitive, fragment);
   d.explanation = fmt::format(
       "the flat {} of primitive {} is that of its {} vertex, ({:.9g}), copied without "
-      "computation; the renderer has ({:.9g}){}",
+      "computation; the renderer has ({:.9g}){}{}",
       primitive.state->texture ? "texture coordinate" : "colour", fragment.primitive,
       name_of(primitive.state->provoking_vertex), fmt::join(d.exact, ", "),
-      fmt::join(d.rendered, ", "), d.cause.empty() ? "" : ", that of another vertex");
+      fmt::join(d.rendered, ", "), d.cause.empty() ? "" : ", that of another vertex",
+      legal && !is_copied ? "; OpenGL ES interpolates, and precision may be lost" : "");
   add_disagreement(result, std::move(d));
   return false;
 }
@@ -136,9 +150,13 @@ std::optional<Disagreement> compare_components(std::span<const ValueComponent> c
 }
 
 // The location where a value is evaluated is a rule of its own.
-void blame(Disagreement& d, const Cause& cause) {
+void blame(const ValueContext& context, const Fragment& fragment, Disagreement& d,
+           const Cause& cause) {
   d.cause = cause;
-  if (is_by_major_axis(cause)) d.ruling = kRulingOnLineValues;
+  if (is_by_major_axis(cause)) {
+    d.ruling = kRulingOnLineValues;
+    d.legality = by_letter(may_go_by_major_axis(context, fragment));
+  }
   const RuleId rule = cause.rule();
   if (rule == RuleId::attribute_location || rule == RuleId::attribute_centroid)
     std::tie(d.rule, d.ruling) = std::pair(rule, rule_of(rule).ruling);
@@ -164,6 +182,10 @@ bool is_mean_of_polygon(const ValueContext& context, const Fragment& fragment, d
              .contains(to_float(depth));
 }
 
+void contest_place(Disagreement& d) {
+  std::tie(d.rule, d.ruling) = std::pair(RuleId::fragment_coordinates, kRulingOnCoordinatePlaces);
+}
+
 // Polygon offset is a rule of its own, too.
 void blame_depth(const ValueContext& context, const Fragment& fragment, Disagreement& d) {
   if (has_offset(context, fragment) && is_unclamped_alone(context, fragment)) {
@@ -175,7 +197,7 @@ void blame_depth(const ValueContext& context, const Fragment& fragment, Disagree
     d.ruling = kRulingOnPolygonDepth;
     return;
   }
-  blame(d, cause_of_depth(context, fragment));
+  blame(context, fragment, d, cause_of_depth(context, fragment));
   if (!has_offset(context, fragment)) return;
   if (d.cause.empty())
     std::tie(d.rule, d.ruling) = std::pair(offset_rule(context, fragment), 38);
@@ -261,7 +283,7 @@ void compare_fragment_values(const ValueContext& context, const Rendering& exact
       auto d = compare_components(components, f, judge.place(), RuleId::attribute_smooth,
                                   *correct.color);
       if (d) {
-        blame(*d, cause_of_color(context, f));
+        blame(context, f, *d, cause_of_color(context, f));
         add_disagreement(result, *std::move(d));
         is_correct = false;
       }
@@ -275,7 +297,11 @@ void compare_fragment_values(const ValueContext& context, const Rendering& exact
       auto d = compare_components({&depth, 1}, f, judge.depth_place(), RuleId::fragment_depth,
                                   *correct.depth);
       if (d) {
-        blame_depth(context, f, *d);
+        const auto elsewhere_in_pixel = other_place(context, rendered, f);
+        if (elsewhere_in_pixel && has_depth_of(context, f, *elsewhere_in_pixel))
+          contest_place(*d);
+        else
+          blame_depth(context, f, *d);
         add_disagreement(result, *std::move(d));
         is_correct = false;
       }
@@ -325,7 +351,8 @@ void compare_coordinates(const ValueContext& context, const Rendering& exact,
     const bool is_exact = x == place.x.to_double() && y == place.y.to_double();
     const bool anywhere = !context.permitted_coordinates(f).empty();
     const bool inside = x >= f.x && x <= f.x + 1 && y >= f.y && y <= f.y + 1;
-    if (!is_exact && anywhere && inside) {
+    const std::optional<Point> other = other_place(context, rendered, f);
+    if (!is_exact && anywhere && inside && !other) {
       add_coordinates(places, f, place, {x, y});
     } else if (!is_exact) {
       Disagreement d = value_disagreement({f.x, f.y}, f.primitive, kRule, 17);
@@ -336,6 +363,7 @@ void compare_coordinates(const ValueContext& context, const Rendering& exact,
       const auto ignored = coordinates_if_ignored(context, f);
       if (ignored && x == ignored->x.to_double() && y == ignored->y.to_double())
         d.cause = cause_of(MultisampleSwitch::ignored);
+      if (other) contest_place(d);
       add_disagreement(result, std::move(d));
     }
     const ValueJudge judge(context, f, interpolated_by_exact(context, exact, drawn, f));
@@ -346,12 +374,18 @@ void compare_coordinates(const ValueContext& context, const Rendering& exact,
     auto d = compare_components({&depth, 1}, f, judge.depth_place(), kRule,
                                 followed.explains(context, reported) ? elsewhere : depths);
     if (d) {
-      blame_depth(context, reported, *d);
+      if (other && has_depth_of(context, reported, *other))
+        contest_place(*d);
+      else
+        blame_depth(context, reported, *d);
       add_disagreement(result, *std::move(d));
     }
     d = compare_components({&inverse, 1}, f, judge.depth_place(), kRule, inverses);
     if (d) {
-      blame(*d, cause_of_inverse_w(context, f, w));
+      if (is_at_share_of_one(context, f) && has_w_of_pixel(context, f, w))
+        contest_place(*d);
+      else
+        blame(context, f, *d, cause_of_inverse_w(context, f, w));
       add_disagreement(result, *std::move(d));
     }
   }

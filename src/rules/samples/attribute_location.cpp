@@ -131,7 +131,8 @@ Rule attribute_location_rule() {
         "fragment's pixel, boundary included, each one at a place of its own, and so may "
         "gl_FragCoord, which no qualifier concerns. Qualified sample, or under GL_SAMPLE_SHADING "
         "with a share of 1, attributes are evaluated at the sample that the invocation runs for, "
-        "and with that share so is gl_FragCoord. The depth that is written to a sample is always "
+        "and with that share so is gl_FragCoord (ruling 63). The depth that is written to a sample "
+        "is always "
         "evaluated there. With GL_MULTISAMPLE disabled attributes and gl_FragCoord are those of "
         "the centre or, whatever their qualifiers, of any place in the pixel; of depths see ruling "
         "35."}}};

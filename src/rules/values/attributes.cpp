@@ -19,7 +19,10 @@ Rule flat_attribute_rule() {
           {},
           {{8,
             "Flat attributes are copied, not computed: any other value than that of the provoking "
-            "vertex, to the bit, is a violation."}}};
+            "vertex, to the bit, is a violation. OpenGL ES interpolates those of polygons even so, "
+            "and precision may be lost (ES 3.2, 13.7.1): of a renderer that reports OpenGL ES, "
+            "floats of polygons may be off by 1 part in 10^5 for each operation of the formula, 10 "
+            "parts in all."}}};
 }
 
 Rule provoking_vertex_rule() {
@@ -76,7 +79,10 @@ Rule smooth_attribute_rule() {
        "Values along a line follow the sample's projection onto it (equation 14.5), and not its "
        "coordinate on the major axis alone (on either axis if the line is as long in x as in y, "
        "or if moves of its vertices under ruling 9 can make it so). A wide line's fragment has "
-       "no value that ruling 13 permits only for another fragment of its column."}};
+       "no value that ruling 13 permits only for another fragment of its column. OpenGL ES lets "
+       "values of lines without multisampling follow the major axis (ES 3.2, 13.6.1): of a "
+       "renderer "
+       "that reports it they are permitted."}};
   return rule;
 }
 
@@ -122,7 +128,12 @@ Rule fragment_coordinates_rule() {
           {{17,
             "gl_FragCoord.xy of a target without multisampling is the pixel's centre, a number of "
             "halves that float32 holds: any other value is a violation. gl_FragCoord.z is the "
-            "fragment's depth, gl_FragCoord.w is 1/w interpolated linearly in the window."}}};
+            "fragment's depth, gl_FragCoord.w is 1/w interpolated linearly in the window."},
+           {63,
+            "With GL_SAMPLE_SHADING and a share of 1, gl_FragCoord is that of the sample for which "
+            "the shader runs: x and y of another place in the pixel are contested, so is w of any "
+            "such place, and z of the place that x and y name. Where x and y are the sample's, z "
+            "is the depth of the sample, and any other is a violation."}}};
 }
 
 }  // namespace edgecase

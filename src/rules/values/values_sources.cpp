@@ -96,6 +96,21 @@ void add_values_sources(std::map<int, RulingSource>& of) {
                 "invariant\" (so z may be that of fixed-point depths: off by one code of the "
                 "buffer). ESSL 7.2: same sentence on locations"};
 
+  of[63] = {
+      .clause = "14.3.1.1 (Sample Shading); GLSL 4.60, 7.1.5",
+      .quotation =
+          "a separate set of colors and other associated data are evaluated for each sample, "
+          "and each set of values is evaluated at the sample location",
+      .basis = Basis::contested,
+      .contest =
+          "GLSL 4.60, 7.1.5, lets gl_FragCoord be \"for any location within the pixel, or one "
+          "of the fragment samples\", whatever the share is, and has z be the depth that the "
+          "fragment would have",
+      .khronos =
+          "dEQP-GLES31.functional.shaders.sample_variables.sample_pos.* reads "
+          "gl_SamplePosition; no test compares gl_FragCoord with the sample's place",
+      .es = "13.4.1: same; ESSL 7.2: same sentence on locations"};
+
   of[18] = {.clause =
                 "2.3.5.2 (Conversion from Floating-Point to Normalized Fixed-Point); 13.8.1 "
                 "(Controlling the Viewport); 14.6.5 (Depth Offset)",

@@ -7,6 +7,7 @@
 #include "raster/rasterizer.h"
 #include "tests/diff/samples/sample_judging.h"
 #include "tests/raster/multisampled_scenes.h"
+#include "tests/support/points.h"
 
 namespace edgecase {
 namespace {
@@ -148,6 +149,51 @@ TEST(SampleJudging, CoverageElsewhereThanReportedBreaksARulingOfItsOwn) {
       EXPECT_FALSE(is_legal(d));
     }
   EXPECT_GE(result.disagreements.size(), 3U);
+}
+
+// Four samples, each with an invocation of its own by a share of 1; the depth is x/8.
+Scene share_of_one() {
+  Scene scene = multisampled_scene(8, 4, Primitive::triangles, {at(0, 0), at(8, 0), at(0, 8)});
+  scene.details.coordinates = true;
+  Draw& draw = scene.draws.front();
+  draw.multisampling.min_sample_shading = 1;
+  for (Vertex& vertex : draw.vertices)
+    vertex.z = Fixed::from_integer(vertex.position.x == Fixed() ? -1 : 1);
+  return scene;
+}
+
+// gl_FragCoord of the pixel's centre instead of the sample: x and y, or z, or both.
+Rendering with_centre(const Scene& scene, bool xy, bool z) {
+  Rendering rendering = rasterize(scene, {});
+  for (Fragment& f : rendering.fragments) {
+    auto& coordinates = *rendering.details[static_cast<std::size_t>(f.detail)].coordinates;
+    if (xy) coordinates[0] = f.x + 0.5;
+    if (xy) coordinates[1] = f.y + 0.5;
+    if (!z) continue;
+    f.depth = (f.x + 0.5) / 8;
+    coordinates[2] = f.depth;
+  }
+  return rendering;
+}
+
+// GLSL 4.60, 7.1.5, has gl_FragCoord be "for any location within the pixel", 14.3.1.1 has it be at
+// the sample. A depth that is at neither place is at fault.
+TEST(SampleLatitude, CoordinatesOfAnotherPlaceAreContestedWithAShareOfOne) {
+  const Scene scene = share_of_one();
+  EXPECT_EQ(judged(scene, with_centre(scene, false, false)).verdict, Verdict::agree);
+  for (const bool z : {false, true}) {
+    const Result result = judged(scene, with_centre(scene, true, z));
+    EXPECT_EQ(result.verdict, Verdict::contested);
+    EXPECT_EQ(broken_rulings(result), std::set<int>{63});
+  }
+  EXPECT_EQ(judged(scene, with_centre(scene, false, true)).verdict, Verdict::violation);
+  Rendering beyond = with_centre(scene, true, true);
+  (*beyond.details.front().coordinates)[0] += 1;
+  EXPECT_EQ(judged(scene, beyond).verdict, Verdict::violation);
+  // With any other share the place is open.
+  Scene half = scene;
+  half.draws.front().multisampling.min_sample_shading = 0.75F;
+  EXPECT_EQ(judged(half, with_centre(half, true, true)).verdict, Verdict::permitted);
 }
 
 }  // namespace

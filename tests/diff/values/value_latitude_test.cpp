@@ -105,5 +105,54 @@ TEST(ValueLatitude, APointsDepthIsNotDividedByItsW) {
   }
 }
 
+Result judged_as_es(const Scene& scene, const Rendering& rendered) {
+  RendererFacts facts{8, nullptr};
+  facts.lookups.is_es = true;
+  Result result = compare(scene, Policy{}, rasterize(scene, {}), rendered, facts);
+  Result* const alone[] = {&result};
+  judge(alone, Latitude::opengl);
+  return result;
+}
+
+// A flat primitive whose red is off by a part.
+Rendering off_by(const Scene& scene, double part) {
+  std::vector<Fragment> fragments = rasterize(scene, {}).fragments;
+  for (Fragment& f : fragments) f.color[0] = to_float(f.color[0] * (1 - part));
+  return compose(scene, fragments);
+}
+
+// ES 3.2, 13.7.1: flat floats of polygons are interpolated, and "precision may be lost"; of lines
+// (13.6.1) and points they are not.
+TEST(ValueLatitude, OpenGlEsMayInterpolateFlatPolygons) {
+  for (const Primitive kind : {Primitive::triangles, Primitive::lines}) {
+    Scene scene = blank_scene(8, 8);
+    Draw draw = make_draw(kind, std::vector{at(0.25, 0.5), at(7.25, 0.5), at(0.5, 7.75)});
+    if (kind == Primitive::lines) draw.vertices.pop_back();
+    for (Vertex& vertex : draw.vertices) vertex.color = {1, 0.5, 0.25, 1};
+    draw.interpolation = Interpolation::flat;
+    scene.draws = {draw};
+    const bool is_polygon = kind == Primitive::triangles;
+    const Verdict permitted = is_polygon ? Verdict::permitted : Verdict::violation;
+    for (const double part : {0x1p-24, 5e-5}) {
+      const Rendering off = off_by(scene, part);
+      EXPECT_EQ(judged_as_es(scene, off).verdict, permitted) << part;
+      EXPECT_EQ(judged(scene, off).verdict, Verdict::violation) << part;
+    }
+    EXPECT_EQ(judged_as_es(scene, off_by(scene, 2e-4)).verdict, Verdict::violation);
+  }
+}
+
+// ES 3.2, 13.6.1: the formula "may be approximated" by coordinates on the major axis.
+TEST(ValueLatitude, OpenGlEsMayGoByTheMajorAxis) {
+  const Scene scene = line_to(13.25, 9.5);
+  const Result result = judged_as_es(scene, by_parameter(scene, LineParameter::major_axis));
+  EXPECT_TRUE(broken_rulings(result).empty());
+  EXPECT_NE(result.verdict, Verdict::agree);
+  for (const Disagreement& d : result.disagreements)
+    EXPECT_EQ(d.cause, "attribute.smooth=major-axis") << d.explanation;
+  const Result beyond = judged_as_es(scene, by_parameter(scene, LineParameter::major_axis, 1e-3));
+  EXPECT_EQ(beyond.verdict, Verdict::violation);
+}
+
 }  // namespace
 }  // namespace edgecase
