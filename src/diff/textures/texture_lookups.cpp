@@ -236,8 +236,10 @@ Boxes TextureLookups::permitted_levels(const Fragment& fragment, Reach reach) {
   LevelRules rules;
   rules.any_tie = true;
   const Interval band = permitted_lambda(fragment, reach);
-  const Interval reported = reported_lambda(fragment).value_or(band);
-  Boxes boxes = level_boxes(fragment, within(reported, precision_within(reach).level), rules);
+  // A lambda' beyond the band is not permitted itself, and says nothing of the level.
+  Interval lambda = reported_lambda(fragment).value_or(band);
+  if (lambda.low > band.high || lambda.high < band.low) lambda = band;
+  Boxes boxes = level_boxes(fragment, within(lambda, precision_within(reach).level), rules);
   for (Box& box : boxes) box[1] = band;
   return boxes;
 }

@@ -86,5 +86,37 @@ TEST(ExactLookups, LookIntoTheChainThatTheRendererTells) {
   EXPECT_EQ(looked_up(scene, exact, shorter), looked_up(scene, exact, exact));
 }
 
+// A lambda' that is not permitted says nothing of the level: what is permitted is told with it, and
+// holds what exact has. This is so with explicit levels, too, where lambda' is that of the query.
+TEST(TextureLookups, LevelsThatArePermittedHoldExactsOwnWhateverIsReported) {
+  Sampler sampler;
+  sampler.mipmap = MipFilter::linear;
+  Lookup explicit_level;
+  explicit_level.kind = LookupKind::lod;
+  explicit_level.value = 2;
+  std::vector<Scene> scenes{flat_scene(1.25, TextureFormat::rgba8, sampler, explicit_level)};
+  for (const TexturedScene& textured : judged_textures()) scenes.push_back(textured.scene);
+  int beyond = 0;
+  for (Scene& scene : scenes) {
+    scene.details.texture = true;
+    const Rendering exact = rasterize(scene, {});
+    const Rendering rendered = changed_textures(scene, level_moved(3));
+    const auto primitives = primitives_of(scene);
+    const RuleChoices choices = resolve({}, scene.target.surface);
+    const ValueContext context(scene, primitives, choices, 8, Latitude::opengl);
+    TextureLookups lookups(context, exact, rendered);
+    for (const Fragment& f : rendered.fragments) {
+      const FragmentDetail* detail = lookups.detail_of(f);
+      if (detail == nullptr || !detail->level_of_detail) continue;
+      const Boxes permitted = lookups.permitted_levels(f, TextureLookups::Reach::all);
+      if (permitted.front()[1].contains((*detail->level_of_detail)[1])) continue;
+      ++beyond;
+      const auto own = lookups.exact(f).level_of_detail;
+      EXPECT_TRUE(hold(permitted, {own[0], own[1]})) << describe_range(permitted);
+    }
+  }
+  EXPECT_GT(beyond, 500);
+}
+
 }  // namespace
 }  // namespace edgecase
