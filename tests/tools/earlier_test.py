@@ -53,7 +53,7 @@ class OfTheSuite(Earlier):
         results = [case["results"]["egl:llvmpipe"] for case in self.read()["cases"]]
         drawn = sum("failure" not in result for result in results)
         self.assertGreater(sum(bool(result["values"]) for result in results), 10)
-        self.assertGreater(sum(bool(result["disagreements"]) for result in results), 10)
+        self.assertGreater(sum(bool(result["disagreements"]) for result in results), 5)
         self.check(drawn, *SAMPLE, *MESA)
         self.assertEqual(self.run_to("reports", *SAMPLE, *MESA, "--ask-all"), 0)
 

@@ -12,7 +12,8 @@ namespace edgecase {
 namespace {
 
 bool is_about_triangles(const DisagreementClass& d) {
-  return d.rule == RuleId::triangle_fill_rule || d.rule == RuleId::triangle_shared_edge;
+  return d.rule == RuleId::triangle_fill_rule || d.rule == RuleId::triangle_shared_edge ||
+         d.rule == RuleId::clip_volume;
 }
 
 void turn(bool is_certain, int ruling, DisagreementClass& d) {

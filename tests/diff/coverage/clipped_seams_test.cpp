@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <random>
+#include <tuple>
 
 #include "tests/support/judging.h"
 
@@ -131,13 +132,15 @@ TEST(ClippedSeams, AHoleAndADoubleHitAreFaultsWhereTheyAreClear) {
       Rendering doubled = exact;
       Fragment again = fragment;
       again.primitive = 1 - again.primitive;
-      doubled.fragments.insert(
-          again.primitive == 0 ? doubled.fragments.begin() : doubled.fragments.end(), again);
+      doubled.fragments.push_back(again);
+      std::ranges::sort(doubled.fragments, {}, [](const Fragment& one) {
+        return std::tuple(one.primitive, one.y, one.x);
+      });
       EXPECT_EQ(faults_of(scene, doubled).size(), 1u) << i;
       ++holes;
     }
   }
-  EXPECT_GT(holes, 200);
+  EXPECT_GT(holes, 100);
 }
 
 TEST(ClippedSeams, AreViolationsOfRuling5) {
