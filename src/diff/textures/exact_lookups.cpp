@@ -189,7 +189,10 @@ Texel TextureLookups::accessible_texels(const Fragment& fragment) const {
 Boxes TextureLookups::overshooting_colors(const Fragment& fragment) {
   Boxes boxes = permitted_colors(fragment);
   for (Box& box : boxes)
-    for (Interval& component : box) component = within(component, component.high - component.low);
+    for (Interval& component : box) {
+      const double range = component.high - component.low;
+      component = known({component.low - range, component.high + range});
+    }
   return boxes;
 }
 
