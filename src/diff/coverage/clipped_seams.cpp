@@ -206,8 +206,8 @@ class SeamComparison {
     bounds = common(bounds, {v.x, v.y, v.x + v.width - 1, v.y + v.height - 1});
     const auto [a, b] = seam.sides[0].seam;
     const auto [c, d] = seam.sides[1].seam;
-    const auto [x_low, x_high] = std::ranges::minmax({a.x, b.x, c.x, d.x});
-    const auto [y_low, y_high] = std::ranges::minmax({a.y, b.y, c.y, d.y});
+    const auto [x_low, x_high] = std::minmax({a.x, b.x, c.x, d.x});
+    const auto [y_low, y_high] = std::minmax({a.y, b.y, c.y, d.y});
     return common(bounds,
                   {static_cast<int>(x_low.floor() - 1), static_cast<int>(y_low.floor() - 1),
                    static_cast<int>(x_high.floor() + 1), static_cast<int>(y_high.floor() + 1)});

@@ -35,7 +35,7 @@ std::vector<AlphaGroup> groups_of(std::span<const KeptByAlpha> pixels, int sampl
   for (const KeptByAlpha& pixel : pixels) {
     const auto counts = static_cast<std::size_t>(samples) + 1;
     AlphaGroup& group =
-        groups.try_emplace(pixel.alpha, pixel.alpha, 0.0, std::vector<double>(counts))
+        groups.try_emplace(pixel.alpha, AlphaGroup{pixel.alpha, 0, std::vector<double>(counts)})
             .first->second;
     group.pixels += 1;
     group.by_kept[static_cast<std::size_t>(pixel.kept)] += 1;
