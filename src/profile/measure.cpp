@@ -129,6 +129,7 @@ class Question {
     }
     return distances;
   }
+
   const Scene& scene_;
   const Rendering& rendering_;
   const Policy& policy_;
@@ -164,6 +165,7 @@ void add_unexplained(const Case& one, const Result& result, AlternativeSet& agai
 
 // What the answers of a round say on one surface.
 struct Gathered {
+  RendererInfo renderer;  // of an answer
   std::size_t cases = 0;
   std::size_t drawn = 0;
   std::size_t as_told = 0;
@@ -244,6 +246,7 @@ class Rounds {
       if (const auto* rendering = std::get_if<Rendering>(&outcome))
         found = contradiction_of(cases[index], *rendering, policy, renderer.info());
       const std::lock_guard lock(mutex_);
+      if (gathered.cases == 0) gathered.renderer = renderer.info();
       gathered.note(cases[index].id, outcome, found);
       if (options_.progress) options_.progress(++done_, cases_.size());
     });
@@ -358,10 +361,10 @@ Profile measure(const CaseStore& cases, const MakeRenderer& make_renderer,
       gathered = std::move(then);
     }
     profile.rounds = std::max(profile.rounds, asked);
+    if (profile.surfaces.empty()) profile.renderer = gathered.renderer;
     profile.surfaces.push_back(profile_of(surface, gathered));
     add_choices(surface, known_of(profile.surfaces.back(), policy.rules), profile.policy);
   }
-  profile.renderer = renderers.front()->info();
   profile.renderer.name = options.name;
   return profile;
 }

@@ -209,13 +209,6 @@ void SelectionOptions::add_to(CLI::App& command, bool with_shard) {
                        "and TEST_SHARD_INDEX, or CI_NODE_TOTAL and CI_NODE_INDEX)");
 }
 
-Selection SelectionOptions::selection_or_core() const {
-  SelectionOptions options = *this;
-  const bool selects = !paths.empty() || !filters.empty() || !tags.empty() || !suite.empty();
-  if (!selects) options.suite = "core";
-  return options.selection();
-}
-
 Selection SelectionOptions::selection() const {
   Selection result = select_cases(paths);
   result.filters = filters;

@@ -61,8 +61,6 @@ struct SelectionOptions {
   // CI systems. If variables select a shard, prints so to standard error, and touches the file that
   // Bazel requires.
   Selection selection() const;
-  // The same; where nothing is selected, the core: for what is slow, and people who wait.
-  Selection selection_or_core() const;
 };
 
 // --policy NAME|FILE and --no-latitude.

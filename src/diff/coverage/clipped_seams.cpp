@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "diff/coverage/seam_hits.h"
 #include "diff/coverage/vertex_latitude.h"
-#include "diff/findings/patience.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/clip_volume.h"
 #include "rules/coverage/triangle_fill.h"
@@ -93,7 +93,7 @@ struct Seam {
   PixelBounds near;
   bool is_multisampled = false;
 
-  bool is_clear_of_others(Point sample, Fixed more = {}) const {
+  bool is_clear(Point sample, Fixed more) const {
     return std::ranges::all_of(sides, [&](const SeamSide& side) {
       return std::ranges::all_of(side.others, [&](const Edge& edge) {
         return robustly_left(edge.a, edge.b, sample, reach + more);
@@ -102,19 +102,9 @@ struct Seam {
   }
   // Away from the seam, the rule for single triangles decides.
   bool must_hit_once(Point sample) const {
-    return std::ranges::none_of(sides,
-                                [&](const SeamSide& side) {
-                                  return robustly_left(side.seam.a, side.seam.b, sample, reach);
-                                }) &&
-           is_clear_of_others(sample);
-  }
-  // Wherever within a pixel, and less than a pixel around, coverage is found.
-  bool is_clear_around(PixelPosition pixel) const {
-    const Fixed half = Fixed::from_raw(Fixed::kOne / 2);
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx)
-        if (!is_clear_of_others(pixel_centre(pixel.x + dx, pixel.y + dy), half)) return false;
-    return true;
+    return is_clear(sample, {}) && std::ranges::none_of(sides, [&](const SeamSide& side) {
+             return robustly_left(side.seam.a, side.seam.b, sample, reach);
+           });
   }
 };
 
@@ -164,8 +154,8 @@ class SeamComparison {
       return;
     const auto seam = seam_of(one, other, first.k);
     if (!seam) return;
-    for (const auto& [sample, within] : samples_of(one, other))
-      add_faults(*seam, one.index, other.index, sample, within);
+    for (const auto& [sample, within] : shared_samples(one, other, scene_.target, positions_))
+      add_seam_faults(*seam, one.index, other.index, sample, within, coverage_, faults_);
   }
 
   std::vector<SharedEdgeFault> take() { return std::move(faults_); }
@@ -203,34 +193,12 @@ class SeamComparison {
     PixelBounds bounds = common(drawable_bounds(*one.state, scene_.target),
                                 drawable_bounds(*other.state, scene_.target));
     const Viewport& v = one.viewport;
-    bounds = common(bounds, {v.x, v.y, v.x + v.width - 1, v.y + v.height - 1});
+    bounds = common(bounds, pixels_in(v));
     const auto [a, b] = seam.sides[0].seam;
     const auto [c, d] = seam.sides[1].seam;
     const auto [x_low, x_high] = std::minmax({a.x, b.x, c.x, d.x});
     const auto [y_low, y_high] = std::minmax({a.y, b.y, c.y, d.y});
-    return common(bounds,
-                  {static_cast<int>(x_low.floor() - 1), static_cast<int>(y_low.floor() - 1),
-                   static_cast<int>(x_high.floor() + 1), static_cast<int>(y_high.floor() + 1)});
-  }
-
-  std::map<int, Point> samples_of(const ScenePrimitive& one, const ScenePrimitive& other) const {
-    return shared_samples(one, other, scene_.target, positions_);
-  }
-
-  void add_faults(const Seam& seam, int first, int second, int sample, Point within) {
-    const auto hits_of = [&](int primitive, PixelPosition p) {
-      const SampleCoverage& drawn = coverage_[static_cast<std::size_t>(primitive)].drawn;
-      return hits_at(drawn[static_cast<std::size_t>(sample)], p);
-    };
-    for (int y = seam.near.y_min; y <= seam.near.y_max; ++y) {
-      Patience::check();
-      for (int x = seam.near.x_min; x <= seam.near.x_max; ++x) {
-        const long hits = hits_of(first, {x, y}) + hits_of(second, {x, y});
-        if (hits == 1 || !seam.must_hit_once(place_in({x, y}, within))) continue;
-        const bool is_certain = hits > 1 || !seam.is_multisampled || seam.is_clear_around({x, y});
-        faults_.push_back({{x, y}, sample, first, second, static_cast<int>(hits), is_certain});
-      }
-    }
+    return bounds_near({x_low, y_low}, {x_high, y_high}, bounds);
   }
 
   std::span<const ScenePrimitive> primitives_;

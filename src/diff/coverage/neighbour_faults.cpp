@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "diff/coverage/clipped_seams.h"
+#include "diff/coverage/seam_hits.h"
 #include "diff/coverage/vertex_latitude.h"
-#include "diff/findings/patience.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/line_joints.h"
@@ -150,6 +150,17 @@ PixelBounds common(const PixelBounds& a, const PixelBounds& b) {
           std::min(a.y_max, b.y_max)};
 }
 
+PixelBounds bounds_near(Point a, Point b, const PixelBounds& target) {
+  const auto [x_low, x_high] = std::minmax(a.x, b.x);
+  const auto [y_low, y_high] = std::minmax(a.y, b.y);
+  const auto clip = [](std::int64_t value) {
+    return static_cast<int>(
+        std::clamp<std::int64_t>(value, -2 * Fixed::kMaxCoordinate, 2 * Fixed::kMaxCoordinate));
+  };
+  return common(target, {clip(x_low.floor() - 1), clip(y_low.floor() - 1), clip(x_high.floor() + 1),
+                         clip(y_high.floor() + 1)});
+}
+
 std::map<int, Point> shared_samples(const ScenePrimitive& first, const ScenePrimitive& second,
                                     const Target& target, const SamplePositions& positions) {
   if (!is_multisampled(*first.state, target)) return {{0, centre_of_pixel()}};
@@ -165,18 +176,6 @@ namespace {
 // Quotients are rounded to the nearest point; reach_of accounts for the error.
 Triangle triangle_of(const ScenePrimitive& primitive) {
   return nearest_triangle(primitive.positions);
-}
-
-// Pixels whose centres may lie near the segment a-b: its bounding box, grown by one.
-PixelBounds bounds_near(Point a, Point b, const PixelBounds& target) {
-  const auto [x_low, x_high] = std::minmax(a.x, b.x);
-  const auto [y_low, y_high] = std::minmax(a.y, b.y);
-  const auto clip = [](std::int64_t value) {
-    return static_cast<int>(
-        std::clamp<std::int64_t>(value, -2 * Fixed::kMaxCoordinate, 2 * Fixed::kMaxCoordinate));
-  };
-  return common(target, {clip(x_low.floor() - 1), clip(y_low.floor() - 1), clip(x_high.floor() + 1),
-                         clip(y_high.floor() + 1)});
 }
 
 // The common edge of two triangles, whose ends must be bit-identical and not only close.
@@ -201,36 +200,10 @@ struct SharedSide {
   Fixed reach;
   PixelBounds near;
   bool is_multisampled = false;
+
+  bool must_hit_once(Point sample) const { return edgecase::must_hit_once(edge, sample, reach); }
+  bool is_clear(Point sample, Fixed more) const { return lies_between(edge, sample, reach + more); }
 };
-
-// True if the whole pixel, and less than a pixel around it, lies inside the other edges. There two
-// triangles may nowhere leave a sample out.
-bool lies_well_between(const SharedSide& side, PixelPosition pixel) {
-  const Fixed half = Fixed::from_raw(Fixed::kOne / 2);
-  for (int dy = -1; dy <= 1; ++dy)
-    for (int dx = -1; dx <= 1; ++dx)
-      if (!lies_between(side.edge, pixel_centre(pixel.x + dx, pixel.y + dy), side.reach + half))
-        return false;
-  return true;
-}
-
-// Appends the pixels whose sample the two triangles must hit once but do not.
-void add_faults(const SharedSide& side, int first, int second, int sample, Point within,
-                std::span<const PrimitiveCoverage> coverage, std::vector<SharedEdgeFault>& faults) {
-  const auto hits_of = [&](int primitive, PixelPosition p) {
-    const SampleCoverage& drawn = coverage[static_cast<std::size_t>(primitive)].drawn;
-    return hits_at(drawn[static_cast<std::size_t>(sample)], p);
-  };
-  for (int y = side.near.y_min; y <= side.near.y_max; ++y) {
-    Patience::check();
-    for (int x = side.near.x_min; x <= side.near.x_max; ++x) {
-      const long hits = hits_of(first, {x, y}) + hits_of(second, {x, y});
-      if (hits == 1 || !must_hit_once(side.edge, place_in({x, y}, within), side.reach)) continue;
-      const bool is_certain = hits > 1 || !side.is_multisampled || lies_well_between(side, {x, y});
-      faults.push_back({{x, y}, sample, first, second, static_cast<int>(hits), is_certain});
-    }
-  }
-}
 
 // Triangles by their edges, counter-clockwise.
 using TrianglesByEdge = std::map<std::array<std::int64_t, 4>, std::vector<std::size_t>>;
@@ -307,7 +280,8 @@ std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> 
                           one.is_multisampled};
     for (const auto& [sample, within] :
          shared_samples(primitives[i], primitives[j], scene.target, positions))
-      add_faults(side, primitives[i].index, primitives[j].index, sample, within, coverage, faults);
+      add_seam_faults(side, primitives[i].index, primitives[j].index, sample, within, coverage,
+                      faults);
   }
   const auto clipped =
       clipped_seam_faults(primitives, coverage, scene, bits, positions, exact_has_none);

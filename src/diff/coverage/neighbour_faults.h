@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <span>
 #include <string>
 #include <utility>
@@ -13,7 +12,6 @@
 
 #include "diff/coverage/coverage_diff.h"
 #include "model/scene.h"
-#include "rules/coverage/window.h"
 
 namespace edgecase {
 
@@ -54,16 +52,6 @@ std::vector<SharedEdgeFault> shared_edge_faults(
     std::span<const ScenePrimitive> primitives, std::span<const PrimitiveCoverage> coverage,
     const Scene& scene, int bits, const SamplePositions& positions = {centre_of_pixel()},
     bool exact_has_none = false);
-
-// The samples that both triangles may write, by index, with their positions in a pixel.
-std::map<int, Point> shared_samples(const ScenePrimitive& first, const ScenePrimitive& second,
-                                    const Target& target, const SamplePositions& positions);
-
-// How often a pixel occurs among pixels sorted by row.
-long hits_at(std::span<const PixelPosition> pixels, PixelPosition p);
-
-// The pixels that both have.
-PixelBounds common(const PixelBounds& a, const PixelBounds& b);
 
 // Pairs of triangles by index in `primitives`, the lower one first, in ascending order: those on
 // opposite sides of a line between two points that are, to the nearest 1/65536 pixel, vertices of

@@ -19,10 +19,13 @@ struct WebCommand {
   std::string show;  // one case
 };
 
+// Without a selection, the core: a page is for devices that are slow, and people who wait.
 Suite suite_of(const WebCommand& command) {
   SelectionOptions options = command.selection;
-  if (command.show.empty()) return load_suite(options.selection_or_core());
-  options.paths = {command.show};
+  const bool selects = !options.paths.empty() || !options.filters.empty() ||
+                       !options.tags.empty() || !options.suite.empty();
+  if (!command.show.empty()) options.paths = {command.show};
+  if (command.show.empty() && !selects) options.suite = "core";
   return load_suite(options.selection());
 }
 

@@ -113,9 +113,10 @@ constexpr HelpPage kPages[] = {
      "edgecase rules \"texture.*\" --json\n"
      "edgecase rules --book out/book"},
     {"profile", kUnderstand,
-     "The renderer draws the core suite, or the cases that are named, in rounds: its answers show "
-     "which alternative of each rule it follows, and are then held against those. A summary of ten "
-     "lines is printed; --full prints what was asked of each rule and answered before it.",
+     "The renderer draws 16 cases of each rule and surface, or the cases that are named, in "
+     "rounds: "
+     "its answers show which alternative of each rule it follows, and are then held against those. "
+     "A summary of ten lines is printed; --full prints what was asked of each rule before it.",
      "012345", "interrupted; nothing was written",
      "edgecase profile --against egl:llvmpipe\n"
      "edgecase profile --against egl:device0 --full --policy-file device0.json"},
