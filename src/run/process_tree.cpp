@@ -13,7 +13,6 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -45,8 +44,11 @@ Programs& programs() {
 // The parent of a process, from its line in /proc: "PID (NAME) STATE PARENT ...". The name may hold
 // brackets and blanks. Nothing if the process is gone.
 std::optional<pid_t> parent_of(const fs::path& folder) {
+  // A process that ends while its line is read is an error (ESRCH): getline makes it a bad stream,
+  // an iterator over the buffer would throw it.
   std::ifstream in(folder / "stat");
-  const std::string line{std::istreambuf_iterator<char>(in), {}};
+  std::string line;
+  if (!std::getline(in, line, '\0')) return std::nullopt;
   const std::size_t name_end = line.rfind(')');
   constexpr std::size_t kToParent = 4;  // ") S "
   pid_t parent = 0;

@@ -5,13 +5,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cstdint>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <optional>
+#include <string>
 #include <utility>
 
+#include "casefile/json/text.h"
 #include "results/results_json.h"
 #include "tools/edgecase/git_index.h"
 #include "tools/edgecase/journal.h"
@@ -48,12 +49,8 @@ bool is_file(const std::string& path) {
 
 // Larger files are no results that are worth it.
 std::optional<std::string> contents_of(const std::string& path) {
-  constexpr std::uintmax_t kMost = std::uintmax_t{1} << 28;  // bytes
-  std::error_code error;
-  if (std::filesystem::file_size(path, error) > kMost || error) return std::nullopt;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  return std::string{std::istreambuf_iterator<char>(file), {}};
+  constexpr std::size_t kMost = std::size_t{1} << 28;  // bytes
+  return read_text_file(path, kMost).text;
 }
 
 ExitCode refuse(const std::string& path, const std::string& results, const std::string& doubt) {

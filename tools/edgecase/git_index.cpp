@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "tools/edgecase/git_index.h"
 
-#include <cstdint>
+#include <cstddef>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+
+#include "casefile/json/text.h"
 
 namespace edgecase {
 namespace {
@@ -46,10 +47,10 @@ bool is_in_index(const fs::path& git, const std::string& name) {
   std::error_code error;
   const fs::path path = git / "index";
   if (!fs::exists(path, error)) return static_cast<bool>(error);
-  constexpr std::uintmax_t kMost = std::uintmax_t{1} << 28;  // bytes: of some million files
-  if (!fs::is_regular_file(path, error) || fs::file_size(path, error) > kMost) return true;
-  std::ifstream file(path, std::ios::binary);
-  const std::string index{std::istreambuf_iterator<char>(file), {}};
+  constexpr std::size_t kMost = std::size_t{1} << 28;  // bytes: of some million files
+  const TextFile file = read_text_file(path, kMost);
+  if (!file.text) return true;
+  const std::string& index = *file.text;
   constexpr std::string_view kHead("DIRC\0\0\0", 7);
   constexpr std::size_t kEntries = 12;
   if (index.size() < kEntries || !index.starts_with(kHead) || index[7] < 2 || index[7] > 3)
