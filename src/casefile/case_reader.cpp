@@ -15,8 +15,8 @@ namespace edgecase {
 namespace {
 
 const Keys kCaseKeys{{"title", "rules", "target", "draws"},
-                     {"$schema", "why", "spec", "origin", "tags", "details", "textures",
-                      "transform", "expect", "sweep", "variants"},
+                     {"$schema", "why", "spec", "origin", "tags", "invariant", "details",
+                      "textures", "transform", "expect", "sweep", "variants"},
                      {}};
 
 bool is_word(std::string_view word, bool dashes) {
@@ -99,6 +99,9 @@ void read_case_texts(const ObjectReader& object, std::span<const std::string> kn
   if (const auto rules = object.find("rules"))
     result.rules = read_rules(*rules, known_rules, findings);
   if (const auto origin = object.find("origin")) read_origin(*origin, findings, result.origin);
+  if (const auto invariant = object.find("invariant"))
+    if (expect_kind(*invariant, JsonKind::boolean, "invariant", findings))
+      result.invariant = invariant->node->truth;
   if (const auto tags = object.find("tags")) result.tags = read_tags(*tags, findings);
 }
 

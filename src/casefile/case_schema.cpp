@@ -175,6 +175,11 @@ constexpr std::string_view kCaseSchema = R"json({
       "maxLength": "@text",
       "pattern": "^https?://[^\\u0000-\\u0020\\u007f]+$"
     },
+    "invariant": {
+      "title": "Invariant",
+      "description": "Whether images of the scene are drawn, too, which must be alike: moved, with its colours masked, and once more (ruling 67).",
+      "type": "boolean"
+    },
     "tags": {
       "title": "Tags",
       "description": "Words to select cases by.",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "diff/compare.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -18,6 +20,7 @@
 #include "diff/differing_planes.h"
 #include "diff/drawing_compare.h"
 #include "diff/explaining_hypotheses.h"
+#include "diff/findings/add_disagreement.h"
 #include "diff/textures/texture_lookups.h"
 #include "diff/upside_down.h"
 #include "diff/values/value_diff.h"
@@ -96,6 +99,19 @@ bool asks_for_hypotheses(const Result& result) {
          });
 }
 
+constexpr int kRulingOnImages = 67;
+
+void report_variances(const Rendering& rendered, Result& result) {
+  for (const Variance& variance : rendered.variances) {
+    const DisagreementClass of =
+        value_class(variance.primitive, RuleId::fragment_invariant, kRulingOnImages);
+    if (Disagreement* const d = add_disagreement(result, variance.pixel, of)) {
+      d->figure = value_figure(variance.pixel);
+      d->explanation = fmt::format("{}. Ruling {}", variance.what, kRulingOnImages);
+    }
+  }
+}
+
 }  // namespace
 
 RendererFacts facts_of(const RendererInfo& info, const ResolvedPolicy* profile) {
@@ -113,6 +129,7 @@ Result compare(const Scene& scene, const ResolvedPolicy& policy, const Rendering
     result.hypotheses = explaining_hypotheses(drawing);
     if (has_one_cause(result)) result.hypotheses.push_back({kHasOneCause, kHasOneCause});
   }
+  report_variances(rendered, result);
   std::erase_if(result.values, [](const ValueAggregate& v) { return v.differing.empty(); });
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
   // A run keeps all its results until the last one is there.

@@ -61,6 +61,20 @@ void compare_values(const ValueContext& values, const Rendering& exact, const Re
   compare_planes(values, rendered, result);
 }
 
+// The unit of polygon offset that fits most fragments. Notes what primitives show of it, unless the
+// policy wants a slope that OpenGL forbids, which units would have to make up for.
+Interval note_unit(const ValueContext& values, const Rendering& rendered, Result& result) {
+  const SingleThing unit{SingleThing::Kind::offset_unit, bits_of(values.scene.target.depth), 0};
+  const FollowedUnit followed = followed_fixed_unit(values, rendered);
+  const OffsetSlope slope = values.choices.values.offset.slope;
+  if (slope != OffsetSlope::length && slope != OffsetSlope::largest_partial) return followed.unit;
+  std::set<std::pair<double, double>> different;
+  for (const Interval shown : followed.shown)
+    if (different.emplace(shown.low, shown.high).second)
+      result.shown.push_back({unit, shown.low, shown.high});
+  return followed.unit;
+}
+
 // Moves the mark of a disagreement about a sample to the sample's position.
 void mark_sample(Disagreement& d, const SamplePositions& positions) {
   const auto sample = static_cast<std::size_t>(d.sample);
@@ -116,12 +130,14 @@ Result compare_drawing(const Drawing& drawing, const AlternativeSet& refuted, Co
   compare_coverage({scene, primitives, coverage, choices, profile, policy.latitude(), bits, true,
                     rendered.sample_positions, facts.sizes, facts.likely_first},
                    result);
-  if (compared == Compared::all) {
-    ValueContext values(scene, primitives, choices, bits, policy.latitude(),
-                        rendered.sample_positions);
+  ValueContext values(scene, primitives, choices, bits, policy.latitude(),
+                      rendered.sample_positions);
+  if (compared != Compared::all) {
+    note_unit(values, rendered, result);
+  } else {
     if (rendered.samples > 1) values.follow(followed_rate(values, rendered));
     values.follow_limits(facts.lookups);
-    values.follow_fixed_unit(followed_fixed_unit(values, rendered));
+    values.follow_fixed_unit(note_unit(values, rendered, result));
     if (is_surely_gross(result)) values.leave_strays_open(exact, rendered);
     std::optional<UntoldColors> untold;
     if (has_untold_colors(values, rendered)) {

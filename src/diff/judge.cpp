@@ -269,12 +269,13 @@ std::string fingerprint_of(const Result& result) {
 
 }  // namespace
 
-void RunReader::add(const Result& result) {
+void RunReader::add(const Result& result, const std::string& id) {
   for (const Snap snap : all_snaps())
     if (!result.failure && !contains(result.illegal_line_snaps, name_of(snap)))
       ++legal_[name_of(snap)];
   read_alternatives(result, reading_);
   rules_.add(result);
+  things_.add(result, id);
 }
 
 // Lines are read with the snap under which most cases are legal; of several, with the first in
@@ -282,6 +283,7 @@ void RunReader::add(const Result& result) {
 RunReading RunReader::reading() const {
   RunReading reading = reading_;
   reading.rules = rules_.answers();
+  reading.things = things_.meetings();
   reading.line_snap.clear();
   std::size_t most = 0;
   for (const Snap snap : all_snaps()) {
@@ -324,6 +326,7 @@ void judge(std::span<Result* const> results, Latitude latitude, const RunReading
         judge_primitive(evidence, reading.line_snap, choose_cause(evidence, legal, reading),
                         *result);
       }
+    report_refuted_things(latitude == Latitude::opengl ? reading.things : Meetings(), *result);
     name_switch(counts, *result);
     if (is_noted_upside_down(*result) && count_of(counts, {kWindowOrigin}) > 0)
       report_upside_down(*result);

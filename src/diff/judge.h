@@ -2,7 +2,7 @@
 //
 // Judge: from compared results to verdicts, over all results of one renderer on one surface.
 //
-// Two decisions need the whole run. Lines are read with one catalogued snap for all of them: the
+// Three decisions need the whole run. Lines are read with one catalogued snap for all of them: the
 // first of those under which most cases are legal (ruling 1). And if several causes reproduce a
 // primitive equally well, the likeliest is the one whose alternatives explain most primitives of
 // the run and are refuted by fewest cases. For a legal drawing, an alternative that the
@@ -10,12 +10,14 @@
 // case refutes a fault that explains more. Judging is a function of the results alone, so merged
 // shards are judged like the whole run.
 //
+// And what is one thing for a renderer must be one in all answers (diff/single_things.h).
+//
 // Disagreements that are only counted (Result::counted) are judged with those in full: all that is
 // read here of a disagreement is its class, and evidence is of whole primitives, however many of
 // their samples differ. A primitive whose faults are gross may lack a cause of two alternatives
 // (CauseQuestion::is_gross), and is then judged no milder.
 //
-// Both decisions form a RunReading. A run can be read once and its reading used to judge any
+// These form a RunReading. A run can be read once and its reading used to judge any
 // result, whether it is one of the run or new.
 #pragma once
 
@@ -25,6 +27,7 @@
 #include <string>
 #include <vector>
 
+#include "diff/single_things.h"
 #include "model/policy.h"
 #include "model/result.h"
 #include "rules/rule_answers.h"
@@ -43,6 +46,7 @@ struct RunReading {
   // GL_SUBPIXEL_BITS as the renderer reports them; 0: unknown. Of precisions that explain as much,
   // this one is taken.
   int subpixel_bits = 0;
+  Meetings things;                 // what most answers show of things that are one
   std::vector<RuleAnswers> rules;  // what the answers say of each rule about which they were asked
 };
 
@@ -55,13 +59,15 @@ AlternativeSet refuted_in(const RunReading& reading);
 // Results without a rendering add nothing. Results that are judged already give the same reading.
 class RunReader {
  public:
-  void add(const Result& result);
+  // `id`: of the case, for naming what speaks against another answer.
+  void add(const Result& result, const std::string& id = {});
   RunReading reading() const;
 
  private:
   std::map<std::string, std::size_t> legal_;  // by snap: cases whose lines are legal under it
   RunReading reading_;
   RuleAnswersGatherer rules_;
+  SingleThings things_;
 };
 
 // The same of a list.

@@ -38,6 +38,8 @@ struct Case {
   std::vector<std::string> tags;
   std::filesystem::path file;
   SharedText source;  // the text of `file`
+  // Its images are drawn, too, and held against it (diff/invariance.h).
+  bool invariant = false;
   Scene scene;
   std::vector<Expect> expect;
 };

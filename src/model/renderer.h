@@ -39,6 +39,8 @@ struct Task {
   // Only coverage is needed: the renderer may omit pixels, depths and colours. `pixels` is then
   // empty, and fragments have neither depth nor colour. It may also report everything.
   bool coverage_only = false;
+  // Its images are to be drawn, too (run/invariant_renderer.h).
+  bool with_images = false;
 };
 
 enum class FailureKind {

@@ -94,6 +94,13 @@ struct Fragment {
 // The order in which renderings are stored: by pixel (row, then column), primitive and coverage.
 bool precedes(const Fragment& a, const Fragment& b);
 
+// Where an image of the scene is drawn otherwise than a law has it (diff/invariance.h).
+struct Variance {
+  PixelPosition pixel;  // of the scene
+  int primitive = -1;   // -1: the pixel as a whole
+  std::string what;     // what differs, and how the image does
+};
+
 struct Rendering {
   int width = 0;
   int height = 0;
@@ -127,6 +134,8 @@ struct Rendering {
   // alpha, row by row from the bottom. A pass shows the colour of the last fragment, as the shader
   // writes it, or the clear colour. `pixels` is to_unorm8 of this.
   std::vector<double> accumulated;
+  int images = 0;  // of the scene, that were drawn as well (run/invariant_renderer.h)
+  std::vector<Variance> variances;
 
   std::size_t pixel_index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "model/names.h"
+#include "model/place_cells.h"
 #include "model/renderer.h"
 #include "model/storage.h"
 #include "model/verdict.h"
@@ -98,6 +99,27 @@ inline Judgement judgement_of(const ResultOutline& answer) {
   return {answer.verdict, answer.fingerprint};
 }
 
+// A thing that is one for a renderer on a surface, whatever it draws there.
+struct SingleThing {
+  enum class Kind {
+    offset_unit,  // r of polygon offsets in a fixed-point depth buffer
+    sample_x,     // where a sample lies in its pixel, in pixels from the lower left corner
+    sample_y,
+    sample_cells,  // both together: a set of places
+  };
+  Kind kind = Kind::offset_unit;
+  int of = 0;      // bits of the depth buffer, or samples of the target
+  int sample = 0;  // its index
+  friend auto operator<=>(const SingleThing&, const SingleThing&) = default;
+};
+
+template <>
+inline constexpr auto kNames<SingleThing::Kind> =
+    std::to_array<Named<SingleThing::Kind>>({{SingleThing::Kind::offset_unit, "offset unit"},
+                                             {SingleThing::Kind::sample_x, "sample x"},
+                                             {SingleThing::Kind::sample_y, "sample y"},
+                                             {SingleThing::Kind::sample_cells, "sample cells"}});
+
 // In place of a primitive: evidence on all differing values of an answer together.
 inline constexpr int kAllValues = -2;
 
@@ -131,6 +153,15 @@ struct Result : ResultOutline {
     int pass = -1;  // index if the scene is supersampled; otherwise -1
   };
 
+  // What the answer shows of a thing: it is no less than `low`, and no more than `high`, or in one
+  // of the cells.
+  struct Shown {
+    SingleThing thing;
+    double low = 0;
+    double high = 0;
+    PlaceCells cells = {};
+  };
+
   // In full: of gross faults only the first (diff/findings/add_disagreement.h). Sorted by pixel,
   // primitive, kind.
   std::vector<Disagreement> disagreements;
@@ -141,6 +172,8 @@ struct Result : ResultOutline {
   std::vector<std::string> illegal_line_snaps;  // snaps under which some line is not legal
   // Alternatives under which some primitive that agrees with exact would differ.
   AlternativeSet refuted;
+  // Where it may matter (diff/single_things.h); several primitives may show a thing differently.
+  std::vector<Shown> shown;
   // For cases that request it (diff/compare.h): levels of detail along a row of fragments of
   // textured draws.
   std::vector<LevelPoint> ramp;
@@ -179,7 +212,8 @@ bool any_class(const Result& result, const Condition& condition) {
 }
 
 // True if judging the result takes the whole run, as it does for every difference in coverage.
-// Otherwise the result and the latitude decide (diff/judge.h).
+// Where the run has things that cannot be one, so does what shows them (Result::shown). Otherwise
+// the result and the latitude decide (diff/judge.h).
 inline bool depends_on_run(const Result& result) {
   return !result.disagreements.empty() || !result.evidence.empty();
 }

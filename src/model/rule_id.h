@@ -15,6 +15,7 @@ enum class RuleId : std::uint8_t {
   none,  // for what concerns no rule, or several
   window_origin,
   fragment_once,
+  fragment_invariant,
   point_ownership,
   line_algorithm,
   line_diamond_exit,
@@ -92,6 +93,7 @@ inline constexpr auto kNames<RuleId> = std::to_array<Named<RuleId>>(
     {{RuleId::none, ""},
      {RuleId::window_origin, "window.origin"},
      {RuleId::fragment_once, "fragment.once"},
+     {RuleId::fragment_invariant, "fragment.invariant"},
      {RuleId::point_ownership, "point.ownership"},
      {RuleId::line_algorithm, "line.algorithm"},
      {RuleId::line_diamond_exit, "line.diamond-exit"},

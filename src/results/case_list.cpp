@@ -186,6 +186,19 @@ void carry(Io& io, T& evidence) {
             evidence.broken_clause, evidence.pass);
 }
 
+inline void carry_cells(wire::Writer& io, const PlaceCells& cells) {
+  io.bytes(&cells, sizeof(cells));
+}
+inline void carry_cells(wire::Reader& io, PlaceCells& cells) {
+  io.bytes(&cells, sizeof(cells));
+}
+
+template <class Io, Of<Result::Shown> T>
+void carry(Io& io, T& shown) {
+  carry_all(io, shown.thing.kind, shown.thing.of, shown.thing.sample, shown.low, shown.high);
+  carry_cells(io, shown.cells);
+}
+
 template <class Io, Of<Result::LevelPoint> T>
 void carry(Io& io, T& point) {
   carry_all(io, point.x, point.y, point.exact, point.low, point.high, point.rendered);
@@ -207,8 +220,8 @@ void carry(Io& io, T& counts) {
 template <class Io, class T>
 void carry_findings(Io& io, T& result, const CaseResults& one) {
   carry_all(io, result.disagreements, result.counted, result.values, result.evidence,
-            result.illegal_line_snaps, result.refuted, result.ramp, result.exact_fragments,
-            result.rendered_fragments, result.pixel_counts);
+            result.illegal_line_snaps, result.refuted, result.shown, result.ramp,
+            result.exact_fragments, result.rendered_fragments, result.pixel_counts);
   carry_shared(io, result.exact_pixels, one.pixels);
   carry_shared(io, result.pixels, result.exact_pixels);
   carry_samples(io, result.exact_samples, one.samples);
@@ -263,12 +276,14 @@ std::size_t bytes_of_places(const CaseResults& one) {
 CaseOutline outline_of(const CaseResults& one) {
   const bool has_ramp =
       std::ranges::any_of(one.results, [](const Result& result) { return !result.ramp.empty(); });
-  return {one.id,
-          one.surface,
-          one.expect_failures.size(),
-          has_ramp,
-          std::ranges::any_of(one.results, depends_on_run),
-          {one.results.begin(), one.results.end()}};
+  return {
+      one.id,
+      one.surface,
+      one.expect_failures.size(),
+      has_ramp,
+      std::ranges::any_of(one.results, depends_on_run),
+      std::ranges::any_of(one.results, [](const Result& result) { return !result.shown.empty(); }),
+      {one.results.begin(), one.results.end()}};
 }
 
 bool has_details(const CaseOutline& one) {

@@ -52,6 +52,7 @@ struct CaseOutline {
   std::size_t expect_failures = 0;     // hand-drawn truths that exact does not meet
   bool has_ramp = false;               // some answer has (Result::ramp)
   bool depends_on_run = false;         // some answer does (model/result.h)
+  bool shows_things = false;           // some answer does (Result::shown)
   std::vector<ResultOutline> answers;  // by renderer
 };
 

@@ -185,6 +185,16 @@ Result::LevelPoint to_level(const ReadJson& json) {
           to_number(json.at(3)),   to_number(json.at(4)),   to_number(json.at(5))};
 }
 
+Result::Shown to_shown(const ReadJson& json) {
+  const SingleThing thing{to_named<SingleThing::Kind>(json.at(0)), WholeNumber(json.at(1)),
+                          WholeNumber(json.at(2))};
+  if (thing.kind != SingleThing::Kind::sample_cells)
+    return {thing, to_number(json.at(3)), to_number(json.at(4))};
+  if (const auto cells = PlaceCells::parse(json.at(3).get<std::string>()))
+    return {thing, 0, 0, *cells};
+  throw std::runtime_error("the cells of a sample's places have other digits");
+}
+
 PixelCounts to_pixel_counts(const ReadJson& json) {
   PixelCounts counts;
   for (const Verdict verdict : kDrawnVerdicts)
@@ -279,6 +289,8 @@ void read_findings(const ReadJson& json, const CaseResults& one, Room& room, Res
     if (json.contains(member)) *list = to_fragments(json.at(member), room.fragments);
     room.fragments -= list->size();
   }
+  read_member(json, "shown", result.shown,
+              [](const ReadJson& list) { return to_list<Result::Shown>(list, to_shown); });
   read_member(json, "ramp", result.ramp,
               [](const ReadJson& list) { return to_list<Result::LevelPoint>(list, to_level); });
 }

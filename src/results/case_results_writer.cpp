@@ -38,6 +38,14 @@ void write_pixel_counts(JsonWriter& json, const PixelCounts& counts) {
   });
 }
 
+void write_shown(JsonWriter& json, const Result::Shown& shown) {
+  const SingleThing& thing = shown.thing;
+  if (thing.kind == SingleThing::Kind::sample_cells)
+    json.array(name_of(thing.kind), thing.of, thing.sample, shown.cells.text());
+  else
+    json.array(name_of(thing.kind), thing.of, thing.sample, shown.low, shown.high);
+}
+
 // A member is left out where it says nothing.
 class CaseWriter {
  public:
@@ -124,6 +132,7 @@ void CaseWriter::write_findings(const Result& result) {
     write_fragments(json_.key("exact_fragments"), result.exact_fragments);
   if (!result.rendered_fragments.empty())
     write_fragments(json_.key("rendered_fragments"), result.rendered_fragments);
+  list_unless_empty("shown", result.shown, write_shown);
   list_unless_empty("ramp", result.ramp, write_level);
 }
 

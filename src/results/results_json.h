@@ -26,7 +26,7 @@
 //    "results": {RENDERER: {"verdict", "fingerprint", "answer_digest", "standing",
 //    "standing_reason", "faults", "again", "failure", "pixel_counts", "disagreements", "counted",
 //    "values", "evidence", "illegal_line_snaps", "refuted", "exact_fragments",
-//    "rendered_fragments", "ramp", "pixels", "samples", "exact_pixels", "exact_samples"}}}
+//    "rendered_fragments", "shown", "ramp", "pixels", "samples", "exact_pixels", "exact_samples"}}}
 //
 // "head" is the number, from 0, of an earlier line with the fields that several cases share. Cases
 // of a file are consecutive, with their heads between them:
@@ -57,8 +57,10 @@
 // (results/packed_text.h), "figure" is one of results/findings_json.h. "exact_fragments" and
 // "rendered_fragments" are what either side makes where they differ (Result::exact_fragments,
 // results/samples_json.h). "ramp" is a list of [x, y, exact, low, high, rendered]: levels of detail
-// along a row of pixels (Result::ramp). Of supersampled cases, evidence has a "pass", and a
-// disagreement's "sample" is a pass, both counted from 0; -1 is the image of all passes.
+// along a row of pixels (Result::ramp). "shown" is a list of [thing, of, sample, low, high], or of
+// [thing, of, sample, cells]: what the answer shows of things that are one in all answers
+// (Result::shown). Of supersampled cases, evidence has a "pass", and a disagreement's "sample" is a
+// pass, both counted from 0; -1 is the image of all passes.
 //
 // While a run goes on, what it has finished lies in a file of this format that is cut off: the
 // cases in any order, each behind a head of its own, and the first line again whenever more is

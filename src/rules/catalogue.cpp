@@ -230,6 +230,7 @@ std::vector<Rule> table_of_contents() {
   return {
       window_origin_rule(),
       fragment_once_rule(),
+      fragment_invariant_rule(),
       with(point_ownership_rule(), of_points<&C::ties>(), {is_point}),
       with(point_offset_rule(), of_all_kinds<&C::point_offset>(), {is_point}),
       with(point_clip_rule(), of_all_kinds<&C::point_clip>(), {is_point}),

@@ -25,6 +25,7 @@ std::span<const Chapter> chapters() {
          "coverage/window",
          {RuleId::subpixel_snap, RuleId::point_snap, RuleId::line_snap, RuleId::triangle_snap}},
         {"One fragment a pixel", "coverage/window", {RuleId::fragment_once}},
+        {"A scene and its image", "coverage/window", {RuleId::fragment_invariant}},
         {"The clip volume", "coverage/clip_volume", {RuleId::clip_volume}}}},
       {"points",
        "Points",

@@ -27,8 +27,8 @@ void carry(Io& io, T& place) {
 // All but the id, the file, its text and the textures.
 template <class Io, Of<Case> T>
 void carry_case(Io& io, T& one) {
-  carry_all(io, one.parts, one.title, one.why, one.rules, one.spec, one.origin, one.tags, one.scene,
-            one.expect);
+  carry_all(io, one.parts, one.title, one.why, one.rules, one.spec, one.origin, one.tags,
+            one.invariant, one.scene, one.expect);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/judging.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -34,8 +35,8 @@ void judge_those(Results& results, RunReadings readings, const Wanted& is_wanted
     bool differs = false;
     for (std::size_t r = 0; r < one.results.size(); ++r) {
       Result* const only = &one.results[r];
-      differs = differs || !only->disagreements.empty() || !only->values.empty();
       judge({&only, 1}, results.latitude, readings.at({r, one.surface}));
+      differs = differs || !only->disagreements.empty() || !only->values.empty();
       results.cases.answer(i, r) = *only;
     }
     // If everything agrees, judging changes only the outline.
@@ -48,7 +49,7 @@ void judge_those(Results& results, RunReadings readings, const Wanted& is_wanted
 void RunReaders::add(const CaseResults& one) {
   const std::lock_guard lock(mutex_);
   for (std::size_t r = 0; r < one.results.size(); ++r)
-    readers_[{r, one.surface}].add(one.results[r]);
+    readers_[{r, one.surface}].add(one.results[r], one.id);
 }
 
 RunReadings RunReaders::readings() const {
@@ -76,7 +77,13 @@ void judge_alone(CaseResults& one, Latitude latitude) {
 }
 
 void judge_rest(Results& results, const RunReadings& readings) {
-  judge_those(results, readings, [](const CaseOutline& one) { return one.depends_on_run; });
+  const bool has_refuted_things = std::ranges::any_of(readings, [](const auto& reading) {
+    return std::ranges::any_of(reading.second.things,
+                               [](const auto& thing) { return thing.second.is_refuted; });
+  });
+  judge_those(results, readings, [&](const CaseOutline& one) {
+    return one.depends_on_run || (has_refuted_things && one.shows_things);
+  });
 }
 
 bool is_of_judging(const std::string& trait) {

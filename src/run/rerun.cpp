@@ -14,6 +14,7 @@
 #include "diff/judge.h"
 #include "model/threads.h"
 #include "run/comparing.h"
+#include "run/invariant_renderer.h"
 #include "run/judging.h"
 
 namespace edgecase {
@@ -132,11 +133,12 @@ class Rerun {
   void ask(std::span<const Question> questions) {
     auto made =
         make_renderer(options_.renderers[questions.front().renderer], options_.renderer_options);
-    Renderer& renderer = *std::get<std::unique_ptr<Renderer>>(made);
+    InvariantRenderer renderer(std::move(std::get<std::unique_ptr<Renderer>>(made)));
     std::vector<Case> cases;
     for (const Question& question : questions) cases.push_back(suite_.cases[question.index]);
     std::vector<Task> tasks;
-    for (const Case& one : cases) tasks.push_back({one.id, &one.scene});
+    for (const Case& one : cases)
+      tasks.push_back({one.id, &one.scene, false, options_.invariance || one.invariant});
     renderer.render(tasks, [&](std::size_t i, Outcome outcome) {
       if (stopped()) throw Stopped{};
       take(questions[i], comparison_.compare_outcome(questions[i].index, cases[i],

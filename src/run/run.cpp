@@ -24,6 +24,7 @@
 #include "run/comparing.h"
 #include "run/earlier_answers.h"
 #include "run/expectation_check.h"
+#include "run/invariant_renderer.h"
 #include "run/judging.h"
 #include "run/renderers.h"
 #include "run/share_queue.h"
@@ -100,8 +101,8 @@ class Run {
   Renderer& renderer_of(std::size_t index, Renderers& own) const {
     std::unique_ptr<Renderer>& renderer = own[index];
     if (renderer == nullptr)
-      renderer = std::get<std::unique_ptr<Renderer>>(
-          make_renderer(options_.renderers[index], options_.renderer_options));
+      renderer = std::make_unique<InvariantRenderer>(std::get<std::unique_ptr<Renderer>>(
+          make_renderer(options_.renderers[index], options_.renderer_options)));
     return *renderer;
   }
 
@@ -131,7 +132,8 @@ class Run {
     std::vector<Case> asked_cases;
     for (const std::size_t i : cases) asked_cases.push_back(suite_.cases[i]);
     std::vector<Task> tasks;
-    for (const Case& one : asked_cases) tasks.push_back({one.id, &one.scene});
+    for (const Case& one : asked_cases)
+      tasks.push_back({one.id, &one.scene, false, options_.invariance || one.invariant});
     auto asked = std::chrono::steady_clock::now();
     renderer.render(tasks, [&](std::size_t i, Outcome outcome) {
       note_duration(tasks[i].id, index, asked);

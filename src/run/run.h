@@ -46,6 +46,7 @@ struct RunOptions {
   std::vector<std::string> renderers;  // names that make_renderer knows
   Profiles profiles;                   // of some of them
   RendererOptions renderer_options;
+  bool invariance = false;  // the images of all cases are drawn, too
   // What comparing one answer may take; beyond that it is not run (timed-out).
   std::chrono::milliseconds comparison_patience{60'000};
   int jobs = 1;                                            // threads, at least 1

@@ -79,7 +79,7 @@ FLOATING_FILES = {"src/exact/elementary.h", "src/exact/interval.h", "src/exact/i
 
 INTEGER_FOLDERS = ("src/exact/", "src/rules/coverage/", "src/kernels/")
 
-MAX_LINES = 400
+MAX_LINES = 600
 CODE = {".h", ".cpp", ".js", ".py"}
 # Put together here, so that this file does not hold them itself.
 UNWANTED = re.compile(r"\b((?i:epsi" r"lon)|TO" r"DO|FIX" r"ME)\b")

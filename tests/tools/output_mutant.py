@@ -18,6 +18,10 @@ FAULT is `none` or one of these.
   colourless         draws that write no colour pass the depth test
   back-wraps         decr and incr wrap of back faces alone
   replace-masked     replace stores the reference under the read mask
+  mask-darkens       fragments of a draw that writes no colour have half of it
+  far-drops          pixels from the 32nd column on miss the last fragment
+  forgetful          every third drawing has another colour in a pixel
+  float-unit         a unit of polygon offset grows with the depth, as in a buffer of floats
 """
 import io
 import json
@@ -50,8 +54,19 @@ def sum_of_partials(across, up):
     return abs(across) + abs(up)
 
 
+def float_unit(kind, largest, right=polygon_offset.unit):
+    """2^(e - n) of a buffer of n bits, e the exponent of the largest depth, at least a step."""
+    if not kind.startswith("depth") or kind.endswith("f"):
+        return right(kind, largest)
+    bits = int(kind.removeprefix("depth"))
+    exponent = math.frexp(max(largest, Fraction(1, 2**30)))[1] - 1
+    return max(Fraction(2) ** (exponent + 2 - bits), Fraction(1, 2**bits))
+
+
 def spoil_program(fault):
     operations = fragment_operations.STENCIL_OPERATIONS
+    if fault == "float-unit":
+        polygon_offset.unit = float_unit
     if fault == "truncated":
         fragment_operations.blended = cut_off
     if fault == "sum-of-partials":
@@ -112,7 +127,19 @@ def answer(scene, fault):
         scene["target"].pop("clear_depth", None)
     for draw in scene["draws"]:
         spoil(draw, fault)
-    return rasterizer.answer(scene)
+    reply = rasterizer.answer(scene)
+    fragments = reply.get("fragments", [])
+    if fault == "mask-darkens" and not any(scene["draws"][0].get("color_mask", [True])):
+        for fragment in fragments:
+            fragment["color"] = [n / 2 for n in fragment["color"]]
+    for lost in [f for f in fragments if f["x"] >= 32][-1:] if fault == "far-drops" else []:
+        fragments.remove(lost)
+        reply["hits"][lost["y"] * scene["target"]["width"] + lost["x"]] -= 1
+    if fault == "forgetful":
+        answer.times = getattr(answer, "times", 0) + 1
+        if answer.times % 3 == 2:
+            reply["pixels"][0] ^= 255
+    return reply
 
 
 def main():

@@ -28,6 +28,8 @@ CASES = {
     "colourless": ["depth/without-colour"],
     "back-wraps": ["stencil/back-faces-stop"],
     "replace-masked": ["stencil/replace-whole-reference"],
+    "mask-drops": ["order/premultiplied-is-associative"],
+    "float-unit": ["offset/units"],
 }
 MOST = 60  # cases for a fault
 

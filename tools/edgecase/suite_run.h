@@ -23,6 +23,7 @@ struct SuiteRunOptions {
   std::vector<std::string> renderers;  // none: the default one
   int jobs = 0;                        // 0: one per processor
   double timeout = 10;                 // seconds per case
+  bool invariance = false;             // images of all cases are drawn, too
   std::string progress = "auto";
   ProjectOption project;
 

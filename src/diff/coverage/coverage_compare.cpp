@@ -14,6 +14,7 @@
 #include "diff/coverage/legality.h"
 #include "diff/coverage/neighbour_faults.h"
 #include "diff/coverage/sample_legality.h"
+#include "diff/coverage/sample_place.h"
 #include "diff/coverage/shared_edge_blame.h"
 #include "diff/coverage/size_latitude.h"
 #include "diff/findings/add_disagreement.h"
@@ -33,6 +34,7 @@ class CoverageComparison {
         standard_(standard_choices()),
         lawful_(positions_of(context.scene.target, standard_.triangles, context.reported)),
         chosen_(positions_of(context.scene.target, context.choices.triangles, context.reported)),
+        places_(context),
         result_(result) {}
 
   void run() {
@@ -44,6 +46,7 @@ class CoverageComparison {
       if (is_line(primitive)) judge_line(primitive);
     judge_joints();
     keep_common_causes(judge_shared_edges());
+    note_places(context_, places_, result_);
   }
 
  private:
@@ -179,10 +182,14 @@ class CoverageComparison {
     });
   }
 
-  SampleTerms terms_of(const ScenePrimitive& primitive) const {
+  SampleTerms terms_of(const ScenePrimitive& primitive) {
     const SupportedSizes sizes = sizes_that_excuse(primitive, coverage_of(primitive), context_);
-    return {context_.bits, sizes, is_multisampled(primitive), is_missing(primitive),
-            shape_fault(primitive, coverage_of(primitive), target())};
+    return {context_.bits,
+            sizes,
+            is_multisampled(primitive),
+            is_missing(primitive),
+            shape_fault(primitive, coverage_of(primitive), target()),
+            have_one_place(context_) ? &places_ : nullptr};
   }
 
   // True if nothing of the primitive was drawn.
@@ -361,9 +368,11 @@ class CoverageComparison {
     Partners partners;
     if (exact_fills_by_rule() && result_.evidence.empty()) return partners;
     SharedEdgeBlame blame(result_);
-    for (const SharedEdgeFault& fault :
+    for (SharedEdgeFault& fault :
          shared_edge_faults(context_.primitives, context_.coverage, scene(), context_.bits, lawful_,
                             exact_fills_by_rule())) {
+      if (!fault.is_certain && have_one_place(context_) && !places_.of(fault.sample))
+        fault.is_certain = true;
       partners[fault.first].insert(fault.second);
       partners[fault.second].insert(fault.first);
       const std::string reason = fmt::format(
@@ -383,8 +392,9 @@ class CoverageComparison {
 
   const CoverageContext& context_;
   const RuleChoices& standard_;
-  const SamplePositions lawful_;                                  // of samples, as reported
-  const SamplePositions chosen_;                                  // of samples, under the policy
+  const SamplePositions lawful_;  // of samples, as reported
+  const SamplePositions chosen_;  // of samples, under the policy
+  SamplePlaces places_;
   std::map<int, Cause> excused_causes_;                           // by primitive
   std::map<int, std::vector<CoverageDifference>> from_standard_;  // by primitive
   std::map<int, std::set<SamplePlace>> excused_;                  // by primitive

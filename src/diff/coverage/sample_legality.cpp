@@ -278,6 +278,11 @@ void SampleJudge::contest(const CoverageDifference& difference, CoverageLegality
     legality.ruling = kRulingOnViewport;
     legality.reason += ", and the pixel lies beyond the viewport's sides";
   } else if (terms_.is_multisampled && is_so_elsewhere(difference.pixel, is_extra(difference))) {
+    if (terms_.places != nullptr && !terms_.places->of(difference.sample)) {
+      legality.reason +=
+          reason([] { return ", and no one place of the sample explains all that it covers"; });
+      return;
+    }
     legality.ruling = kRulingOnOtherPlaces;
     legality.reason += reason([&] {
       return fmt::format(", but a sample elsewhere could be {}",

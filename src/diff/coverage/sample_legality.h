@@ -16,15 +16,13 @@
 
 #include "diff/coverage/coverage_diff.h"
 #include "diff/coverage/legality.h"
+#include "diff/coverage/sample_place.h"
 #include "diff/coverage/size_latitude.h"
 #include "diff/coverage/vertex_latitude.h"
 #include "model/scene.h"
 #include "rules/coverage/clip_volume.h"
 
 namespace edgecase {
-
-// The ruling on coverage at other positions than reported.
-inline constexpr int kRulingOnOtherPlaces = 47;
 
 // Where an unclipped triangle that is not multisampled covers what no triangle can (ruling 4).
 struct ShapeFault {
@@ -42,6 +40,7 @@ struct SampleTerms {
   bool is_multisampled = false;
   bool is_missing = false;  // nothing of the primitive was drawn
   ShapeFault shape = {};
+  SamplePlaces* places = nullptr;  // by all that the answer covers; null: of single pixels
 };
 
 // Judges the differences of one primitive, which must outlive it. Not safe to use from several

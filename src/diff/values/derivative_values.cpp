@@ -81,8 +81,10 @@ class PermittedColors {
                             : at->second.at(pixel, reported.derivative, c);
       if (values.is_polygon) {
         // The difference of any two means.
-        const Interval means = with_means(values.lawful.color[c].values[0],
-                                          context_.primitive_of(*reported.fragment), values, c);
+        const Interpolant& lawful = values.lawful.color[c];
+        const Interval means =
+            with_means(interpolate_exact(lawful, pixel_centre(pixel.x, pixel.y)),
+                       context_.primitive_of(*reported.fragment), values, lawful);
         range = hull(range, means - means);
       }
       if (height_of_column(context_.primitive_of(*reported.fragment), context_.scene.target) !=

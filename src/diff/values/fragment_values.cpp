@@ -91,8 +91,8 @@ bool compare_flat_color(const ValueContext& context, const Fragment& fragment, R
 
 // "the pixel's centre (2.5, 3.5)", "(2.375, 3.125)".
 std::string describe_location(Point place) {
-  const bool is_centre = place == pixel_centre(place.x.floor(), place.y.floor());
-  return (is_centre ? "the pixel's centre " : "") + format_point(place);
+  const Point centre = pixel_centre(place.x.floor(), place.y.floor());
+  return (place == centre ? "the pixel's centre " : "") + format_point(place);
 }
 
 // What people call a component: "red", "texture coordinate s", "depth".
@@ -114,9 +114,12 @@ Disagreement beyond_disagreement(std::span<const ValueComponent> components,
   }
   d.policy_agrees = std::all_of(components.begin(), components.end(),
                                 [](const ValueComponent& c) { return c.is_correct(); });
-  if (std::all_of(components.begin(), components.end(),
-                  [](const ValueComponent& c) { return c.is_permitted() || c.may_be_of_column; }))
-    d.ruling = kRulingOnLineValues;
+  const auto are_all = [&](bool ValueComponent::*excuse) {
+    return std::ranges::all_of(
+        components, [&](const ValueComponent& c) { return c.is_permitted() || c.*excuse; });
+  };
+  if (are_all(&ValueComponent::may_be_of_column)) d.ruling = kRulingOnLineValues;
+  if (are_all(&ValueComponent::may_be_mean)) d.ruling = kRulingOnPolygonValues;
   d.explanation = fmt::format(
       "{} of primitive {} is exactly {:.9g} at {}; the specification permits {:.9g} to {:.9g}, the "
       "renderer has {:.9g}",
@@ -178,7 +181,9 @@ bool is_mean_of_polygon(const ValueContext& context, const Fragment& fragment, d
   const PrimitiveValues& values = context.values_of(fragment);
   const double exact = middle(depth_exact(values.lawful, pixel_centre(fragment.x, fragment.y)));
   return values.is_polygon &&
-         rounded_to_float(with_means_of_depth(exact, context.primitive_of(fragment), values))
+         rounded_to_float(
+             clamped_depth(values.lawful, with_means(exact, context.primitive_of(fragment), values,
+                                                     values.lawful.depth)))
              .contains(to_float(depth));
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diff/coverage/vertex_latitude.h"
+#include "diff/findings/most_meet.h"
 #include "diff/values/value_diff.h"
 #include "rules/all_rules.h"
 #include "rules/change_search.h"
@@ -138,77 +139,94 @@ OffsetPrimitive offset_primitive(const ValueContext& context, const ScenePrimiti
           offset_permitted({offset.factor, 0, 0}, depth, target.depth, reach, 0)};
 }
 
-// factor m + units r of a fragment: its depth less that of the primitive. Clamped depths and
-// offsets may have been anything farther out.
-Interval sum_of_offset(const OffsetPrimitive& primitive, Point place, double reported) {
-  const Interval depth = PermittedPlace(primitive.vertices, place).value(primitive.depth);
-  Interval sum = Interval(reported - float_ulp(reported), reported + float_ulp(reported)) - depth;
+// True if all vertices have one depth, which is the fragments' before any offset: they carry a mean
+// of the vertices' (14.6.1).
+bool is_level(const OffsetPrimitive& primitive) {
+  const auto& z = primitive.depth.values;
+  return z[0].low == z[0].high && z[1].low == z[0].low && z[1].high == z[0].low &&
+         z[2].low == z[0].low && z[2].high == z[0].low;
+}
+
+// factor m + units r: the reported depth, to within an error, less that of the primitive. Clamped
+// depths and offsets may have been anything farther out.
+Interval sum_of_offset(const OffsetPrimitive& primitive, Interval depth, double reported,
+                       double error) {
+  Interval sum = Interval(reported - error, reported + error) - depth;
   const auto clamp = static_cast<double>(primitive.offset.clamp);
   if (reported <= 0 || (clamp < 0 && sum.low <= clamp)) sum.low = -kInfinity;
   if (reported >= 1 || (clamp > 0 && sum.high >= clamp)) sum.high = kInfinity;
   return sum;
 }
 
-// The units that lead to the fragment's depth; possibly none of them is permitted.
-Interval units_of(const OffsetPrimitive& primitive, Point place, double reported) {
+// The units that lead to such a sum; possibly none of them is permitted.
+Interval units_of(const OffsetPrimitive& primitive, Interval sum) {
   constexpr double kErrors = 3e-5;  // of both products and of their sum
-  const Interval of_units =
-      widened(sum_of_offset(primitive, place, reported) - primitive.slope, kErrors);
+  const Interval of_units = widened(sum - primitive.slope, kErrors);
   const auto units = static_cast<double>(primitive.offset.units);
   const Interval unit = units > 0 ? Interval(of_units.low / units, of_units.high / units)
                                   : Interval(of_units.high / units, of_units.low / units);
   return std::isnan(unit.low) || std::isnan(unit.high) ? Interval::everything() : unit;
 }
 
-// The interval where most of the intervals meet; `whole` if there are none.
-Interval where_most_meet(const std::vector<Interval>& units, Interval whole) {
-  std::vector<std::pair<double, int>> ends;  // at the same number, ends come after beginnings
-  for (const Interval unit : units) {
-    ends.emplace_back(unit.low, 0);
-    ends.emplace_back(unit.high, 1);
-  }
-  std::ranges::sort(ends);
-  Interval best = whole;
-  int open = 0;
-  int most = 0;
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    open += ends[i].second == 0 ? 1 : -1;
-    if (open <= most) continue;
-    most = open;
-    best = {ends[i].first, ends[i + 1].first};
-  }
-  return best;
+std::optional<Interval> common_part(Interval a, Interval b) {
+  const Interval both{std::max(a.low, b.low), std::min(a.high, b.high)};
+  return both.low <= both.high ? std::optional(both) : std::nullopt;
+}
+
+// What the fragments of one primitive show of the unit.
+struct ShownUnit {
+  OffsetPrimitive primitive;
+  std::optional<Interval> unit;  // nothing: they contradict each other
+};
+
+bool has_units(const Draw& draw) {
+  return draw.polygon_offset && draw.polygon_offset->units != 0;
 }
 
 }  // namespace
 
-Interval followed_fixed_unit(const ValueContext& context, const Rendering& rendered) {
+FollowedUnit followed_fixed_unit(const ValueContext& context, const Rendering& rendered) {
   const DepthFormat format = context.scene.target.depth;
   const Interval permitted = permitted_fixed_unit(format);
-  const auto has_units = [](const Draw& draw) {
-    return draw.polygon_offset && draw.polygon_offset->units != 0;
-  };
-  if (bits_of(format) == 0 || std::ranges::none_of(context.scene.draws, has_units))
-    return permitted;
-  std::vector<std::optional<OffsetPrimitive>> primitives(context.primitives.size());
-  std::vector<Interval> all;
+  FollowedUnit followed{permitted, {}};
+  if (bits_of(format) == 0 || std::ranges::none_of(context.scene.draws, has_units)) return followed;
+  const Interval possible{permitted.low * (1 - 1e-5), permitted.high};
+  std::map<int, ShownUnit> primitives;
+  std::vector<Weighed> all;
   for (const Fragment& f : rendered.fragments) {
     const ScenePrimitive& primitive = context.primitive_of(f);
     if (!f.has_depth || !std::isfinite(f.depth) || !has_offset(context, f) ||
         !has_units(*primitive.state))
       continue;
-    // If the location is not reported and may be anywhere in the pixel, the depth says nothing of
-    // r.
-    if (!context.permitted_coordinates(f).empty()) continue;
-    auto& known = primitives[static_cast<std::size_t>(f.primitive)];
-    if (!known) known.emplace(offset_primitive(context, primitive));
+    auto at = primitives.find(f.primitive);
+    if (at == primitives.end())
+      at =
+          primitives.emplace(f.primitive, ShownUnit{offset_primitive(context, primitive), possible})
+              .first;
+    auto& [of, shown] = at->second;
+    // If the location is not reported and may be anywhere in the pixel, a slanted depth says
+    // nothing of r.
+    if (!is_level(of) && !context.permitted_coordinates(f).empty()) continue;
     const Point place = context.depth_place_of(f, context.choices.values.locations);
-    const Interval unit = units_of(*known, place, f.depth);
-    const Interval within{std::max(unit.low, permitted.low * (1 - 1e-5)),
-                          std::min(unit.high, permitted.high)};
-    if (within.low <= within.high) all.push_back(within);
+    const Interval loose =
+        units_of(of, sum_of_offset(of, PermittedPlace(of.vertices, place).value(of.depth), f.depth,
+                                   float_ulp(f.depth)));
+    if (const auto within = common_part(loose, possible)) all.push_back({*within});
+    Interval unit = loose;
+    if (is_level(of)) {
+      const double step =
+          is_depth_of(f.depth, format) ? 1 / (std::ldexp(1.0, bits_of(format)) - 1) : 0;
+      unit = units_of(
+          of, sum_of_offset(of, of.depth.values[0], f.depth,
+                            std::max(8 * float_ulp(1.0) * of.depth.values[0].magnitude(), step)));
+    }
+    if (shown) shown = common_part(*shown, unit);
   }
-  return where_most_meet(all, permitted);
+  followed.unit = where_most_meet(all).value_or(permitted);
+  for (const auto& [index, one] : primitives)
+    if (one.unit && (one.unit->low > permitted.low || one.unit->high < permitted.high))
+      followed.shown.push_back(*one.unit);
+  return followed;
 }
 
 }  // namespace edgecase

@@ -326,7 +326,13 @@ PixelTruth truth_of_fragment(const ValueContext& context, const Fragment& fragme
       permitted = hull(permitted, permitted_across(lawful, values.moved(), at_centre, centre,
                                                    Fixed::from_raw(column.raw() / 2)));
     truth.exact[c] = middle(interpolate_exact(values.chosen.color[c], place));
-    truth.permitted[c] = with_means(hull(permitted, truth.exact[c]), primitive, values, c);
+    truth.permitted[c] = hull(permitted, truth.exact[c]);
+  }
+  if (values.is_polygon) {
+    PixelTruth::Contested means{RuleId::clip_volume, kRulingOnPolygonValues};
+    for (std::size_t c = 0; c < 4; ++c)
+      means.bounds[c] = with_means(truth.permitted[c], primitive, values, values.lawful.color[c]);
+    truth.contested.push_back(means);
   }
   truth.permitted[3] = with_fade(context, fragment, truth.permitted[3]);
   return truth;

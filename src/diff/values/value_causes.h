@@ -99,8 +99,14 @@ struct FollowedOffset {
 };
 FollowedOffset followed_offset(const ValueContext& context, const Rendering& rendered);
 
-// The unit of polygon offsets, a constant of a fixed-point buffer, that fits most of the fragments
-// with reported depths (ruling 38).
-Interval followed_fixed_unit(const ValueContext& context, const Rendering& rendered);
+// The unit of polygon offsets, a constant of a fixed-point buffer (rulings 38 and 64).
+struct FollowedUnit {
+  Interval unit;  // that fits most of the fragments with reported depths
+  // What primitives show of it, of each one interval. Where all vertices of one have the same
+  // depth, so have its fragments before the offset, to 8 units in the last place of float32, or to
+  // a step of the buffer where the depth is one of its values.
+  std::vector<Interval> shown;
+};
+FollowedUnit followed_fixed_unit(const ValueContext& context, const Rendering& rendered);
 
 }  // namespace edgecase

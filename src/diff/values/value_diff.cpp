@@ -147,53 +147,40 @@ const PrimitiveValues& ValueContext::values_of(const Fragment& fragment) const {
         primitive, lawful_choices(choices), scene.target, reach, fixed_unit_);
     const bool differ = !interpolates_lawfully(choices.values);
     values = std::make_unique<PrimitiveValues>(
-        PrimitiveValues{differ ? attributes_of(primitive, choices, scene.target) : lawful, lawful,
-                        depth, inverse_w, differ, reach, is_polygon(primitive), std::nullopt});
+        PrimitiveValues{differ ? attributes_of(primitive, choices, scene.target) : lawful,
+                        lawful,
+                        depth,
+                        inverse_w,
+                        differ,
+                        reach,
+                        is_polygon(primitive),
+                        std::nullopt,
+                        {}});
   }
   return *values;
 }
 
 Interval with_means(Interval permitted, const ScenePrimitive& primitive,
-                    const PrimitiveValues& values, std::size_t component) {
+                    const PrimitiveValues& values, const Interpolant& datum) {
   if (!values.is_polygon) return permitted;
-  // Without perspective, a value behind the eye need not lie between those of the vertices.
+  if (values.corners.empty())
+    for (const ClipPolygonVertex& vertex : seen_polygon(primitive))
+      values.corners.emplace_back(values.moved(), vertex.position);
+  // The polygon's vertices lie on the triangle, and what they carry between what its own do: except
+  // that without perspective a value behind the eye does not.
   const bool is_between =
-      values.lawful.color[component].perspective ||
+      datum.perspective ||
       std::ranges::all_of(primitive.positions, [](const HomogeneousPoint& p) { return p.w > 0; });
-  if (!is_between) return permitted;
-  Interval means = static_cast<double>(
-      interpolated_attribute(*primitive.state, *primitive.vertices[0])[component]);
-  for (std::size_t i = 1; i < 3; ++i)
-    means = hull(means, static_cast<double>(interpolated_attribute(
-                            *primitive.state, *primitive.vertices[i])[component]));
-  // Each product and sum of a mean may err.
-  return hull(permitted, widened(means, 8 * kInexact.relative));
-}
-
-Interval with_means_of_inverse_w(Interval permitted, const ScenePrimitive& primitive,
-                                 const PrimitiveValues& values) {
-  if (!values.is_polygon) return permitted;
-  for (const ClipPolygonVertex& vertex : polygon_between_near_and_far(primitive))
-    permitted = hull(permitted, widened(interpolate_exact(values.lawful.inverse_w, vertex.position),
-                                        8 * kInexact.relative));
-  return permitted;
-}
-
-Interval with_means_of_depth(Interval permitted, const ScenePrimitive& primitive,
-                             const PrimitiveValues& values) {
-  if (!values.is_polygon) return permitted;
-  Interval z;  // z/w of the vertices, or of the points where their edges meet near or far
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto w = static_cast<double>(primitive.positions[i].w);
-    const auto above = static_cast<double>(primitive.z[i]);
-    Interval here = above < -w ? Interval(-1) : above > w ? Interval(1) : Interval(above / w);
-    if (above < -w && above > w) here = {-1, 1};
-    z = i == 0 ? here : hull(z, here);
+  const Interval all = hull(hull(datum.values[0], datum.values[1]), datum.values[2]);
+  for (const PermittedPlace& corner : values.corners) {
+    Interval carried = corner.value(datum);
+    if (is_between)
+      carried = {std::clamp(carried.low, all.low, all.high),
+                 std::clamp(carried.high, all.low, all.high)};
+    // Each product and sum of a mean may err.
+    permitted = hull(permitted, widened(carried, 8 * kInexact.relative));
   }
-  const auto near = static_cast<double>(primitive.depth_range.near);
-  const auto far = static_cast<double>(primitive.depth_range.far);
-  const Interval depths = Interval(near) + (Interval(far) - near) * (z + 1) * 0.5;
-  return hull(permitted, clamped_depth(values.lawful, widened(depths, 8 * kInexact.relative)));
+  return permitted;
 }
 
 const MovedVertices& PrimitiveValues::moved() const {

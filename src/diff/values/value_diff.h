@@ -45,6 +45,7 @@ struct PrimitiveValues {
   // Of the lawful attributes; computed on demand.
   const MovedVertices& moved() const;
   mutable std::optional<MovedVertices> known_moved;
+  mutable std::vector<PermittedPlace> corners = {};  // of the polygon; found at the first question
 };
 
 // A case, as the comparison of values needs it.
@@ -139,20 +140,14 @@ RuleChoices lawful_choices(const RuleChoices& chosen);
 // offset as free as the specification leaves them.
 Interval depth_permitted_at(const PrimitiveValues& values, Point place);
 
-// `permitted`, of a component of the colour, with its permitted values on a polygon: anything
-// between the least and the greatest of the triangle's vertices, of which the polygon's own are
-// means.
+// `permitted`, of one of the primitive's data, with all that a mean of what the polygon's vertices
+// carry may be: anything between the least and the greatest of them, which lie in the window. Only
+// `permitted` if the primitive is no such polygon. Rulings 44 and 66 contest what is not on the
+// triangle's plane.
 Interval with_means(Interval permitted, const ScenePrimitive& primitive,
-                    const PrimitiveValues& values, std::size_t component);
-// The same for 1/w, between the least and the greatest of the polygon's own vertices, which need
-// not be the triangle's.
-Interval with_means_of_inverse_w(Interval permitted, const ScenePrimitive& primitive,
-                                 const PrimitiveValues& values);
-// `permitted`, with all depths of a polygon's vertices, in the window: ruling 44 contests those
-// that are not on its plane. Only `permitted` if the primitive is no such polygon.
-Interval with_means_of_depth(Interval permitted, const ScenePrimitive& primitive,
-                             const PrimitiveValues& values);
+                    const PrimitiveValues& values, const Interpolant& datum);
 inline constexpr int kRulingOnPolygonDepth = 44;
+inline constexpr int kRulingOnPolygonValues = 66;
 
 // `permitted`, of a value that exact computes as the specification does, extended to include the
 // exact value rounded to float32: exact is never accused. The exact value is left out if a renderer

@@ -24,6 +24,7 @@ struct ValueComponent {
   Interval permitted;  // float32 values that the specification allows
   double rendered = 0;
   bool may_be_of_column = false;  // a value that another fragment of a wide line's column may have
+  bool may_be_mean = false;       // of what the vertices of a clipped polygon carry
   double range = 0;               // of the attribute over the vertices; unused for a correct one
 
   // Equal to exact's own answer. Halfway between two float32 numbers the other one is reported,
@@ -122,6 +123,10 @@ class ValueJudge {
     result.may_be_of_column = !result.is_permitted() && column_ != Fixed() &&
                               as_reported(question, permitted_in_column(question.lawful, column_))
                                   .contains(to_float(rendered));
+    result.may_be_mean =
+        !result.is_permitted() && values_.is_polygon && !question.is_depth &&
+        rounded_to_float(with_means(result.permitted, primitive_, values_, question.lawful))
+            .contains(to_float(rendered));
     return result;
   }
 
@@ -139,10 +144,7 @@ class ValueJudge {
     const JudgedValue question{values_.chosen.color[c], values_.lawful.color[c], place_, corners_};
     if (drawn_ && drawn_->has_color)
       if (const auto known = settled_as_drawn(drawn_->color[c], question, rendered)) return *known;
-    ValueComponent result = component(exact_color(c), question, rendered);
-    if (!result.is_permitted())
-      result.permitted = rounded_to_float(with_means(result.permitted, primitive_, values_, c));
-    return result;
+    return component(exact_color(c), question, rendered);
   }
   ValueComponent depth(double rendered) const {
     const JudgedValue question{values_.chosen.depth, values_.permitted_depth, depth_place_,
@@ -156,14 +158,10 @@ class ValueJudge {
     return component(exact, question, rendered);
   }
   ValueComponent inverse_w(double rendered) const {
-    ValueComponent result = component(
+    return component(
         interpolate_exact(values_.chosen.inverse_w, depth_place_),
         {values_.chosen.inverse_w, values_.permitted_inverse_w, depth_place_, depth_corners_},
         rendered);
-    if (!result.is_permitted())
-      result.permitted =
-          rounded_to_float(with_means_of_inverse_w(result.permitted, primitive_, values_));
-    return result;
   }
 
  private:

@@ -109,9 +109,12 @@ Rule clip_volume_rule() {
         "far, but outside the volume's other sides, the point is drawn under ruling 6 or "
         "discarded, "
         "as the implementation likes; exact discards it. Elsewhere nothing is drawn of it, however "
-        "large it is. Where clipping makes more than three edges, a fragment's colour may be any "
-        "mean of what the polygon's vertices carry (14.6.1), which lies between those of the "
-        "triangle's."},
+        "large it is."},
+       {66,
+        "What a fragment of a clipped polygon carries lies on the triangle's plane, within the "
+        "latitude of ruling 42, and is not just any mean of what the polygon's vertices carry. Of "
+        "depth ruling 44 speaks. What is less than the least of them, or more than the greatest, "
+        "breaks ruling 9."},
        {44,
         "The depth of a fragment of a clipped polygon lies on the triangle's plane (equation "
         "14.10), and not only between the least and the greatest of the polygon's vertices."},

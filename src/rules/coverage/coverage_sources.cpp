@@ -86,6 +86,16 @@ void add_coverage_sources(std::map<int, RulingSource>& of) {
           "polygon fill tests; occlusion-query tests count samples of quads",
       .es = "14.2: same leave (\"execute additional fragment shader invocations\")"};
 
+  of[67] = {
+      .clause = "14.2 (Invariance); A.3 (Invariance Rules)",
+      .quotation =
+          "each fragment f' produced from p' is identical to a corresponding fragment f from p "
+          "except that the center of f' is offset",
+      .khronos =
+          "dEQP-GLES3.functional.shaders.invariance.* draws the same geometry with two shaders and "
+          "wants no pixel to differ; none moves a primitive or masks colours",
+      .es = "13.1 and B.3: same words"};
+
   of[12] = {.clause = "14.5.2.2 (Wide Lines)",
             .quotation =
                 "The actual width of non-antialiased lines is determined by rounding the "
@@ -172,6 +182,20 @@ void add_coverage_sources(std::map<int, RulingSource>& of) {
           "1 pixel; poly_attrib_clip colours within 1 pixel and 6 faulty pixels (0.3 fuzzy "
           "under MSAA). gl4cClipControlTests: near and far of both depth modes",
       .es = "13.7.1: same"};
+
+  of[66] = {
+      .clause = "14.6.1 (Basic Polygon Rasterization)",
+      .quotation =
+          "we require only that a convex combination of the values of the datum at the polygon's "
+          "vertices can be used",
+      .basis = Basis::contested,
+      .contest =
+          "14.6.1 asks for no more of a polygon with more than three edges; the Khronos tests "
+          "want the colours of the plane, within a pixel",
+      .khronos =
+          "dEQP-GLES3.functional.clipping.polygon.* (es3fClippingTests.cpp): poly_attrib_clip "
+          "takes colours from the plane, within 1 pixel, with 6 faulty pixels allowed",
+      .es = "13.7.1: same words"};
 
   of[54] = {
       .clause = "14.4.1 (Basic Point Rasterization); 14.5.2.2 (Wide Lines)",

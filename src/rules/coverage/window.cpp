@@ -64,6 +64,23 @@ Rule fragment_once_rule() {
             "produced it: point, line and triangle rules describe sets of fragments."}}};
 }
 
+Rule fragment_invariant_rule() {
+  return {
+      RuleId::fragment_invariant,
+      "A scene and its image are drawn alike",
+      "14.2 (invariance); A.3 (invariance rules)",
+      "none; under multisampling a primitive that is moved may have other samples (14.3.1)",
+      "",
+      {},
+      {{67,
+        "Two drawings of a renderer are held against each other, and against no other. A "
+        "primitive of a target of one sample, moved by whole pixels and cut by nothing, has the "
+        "same fragments, each moved as far (14.2). Colour masks, clear colours and what lies in "
+        "the buffers decide neither which fragments there are nor their depths and colours "
+        "(A.3, rule 2). The same scene, drawn again, is the same to the last bit (A.3, rule "
+        "1). Values of a moved primitive are not compared: ruling 9 judges each."}}};
+}
+
 namespace {
 
 using Rounding = Snap::Rounding;

@@ -72,6 +72,18 @@ PixelBounds turned_over(const PixelBounds& bounds, int height);
 
 Rule fragment_once_rule();
 
+// Essay: A scene and its image
+//
+// Most rules leave an implementation some room, and say nothing of how it uses that. Invariance
+// says that it must use it in one way (GL 4.6 core, 14.2 and A.3): a primitive that is moved by
+// whole pixels has the same fragments, as far away; what colours are written, and what lies in the
+// buffers, decides nothing about fragments; and the same commands draw the same twice. No exact
+// drawing is needed to find a fault of that kind, and nothing is tolerated: two drawings of one
+// renderer are held against each other. Whoever tests edges in float32 breaks it, as the numbers of
+// a moved primitive are rounded elsewhere.
+
+Rule fragment_invariant_rule();
+
 // Essay: The sub-pixel grid
 //
 // Sub-pixel snapping: vertices are rounded to a grid of 2^-b pixels before anything else is

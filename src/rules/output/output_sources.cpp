@@ -47,6 +47,15 @@ void add_output_sources(std::map<int, RulingSource>& of) {
                 "13.7.2: same formulas without the clamp parameter (EXT_polygon_offset_clamp), "
                 "same clamping"};
 
+  of[64] = {.clause = "14.6.5 (Depth Offset)",
+            .quotation =
+                "For fixed-point depth buffer representations, r is constant throughout the range "
+                "of the entire depth buffer",
+            .khronos =
+                "Piglit read-depth-offset.c (2024): of fixed-point formats, r is the same for all "
+                "depths; dEQP asks for no size of r",
+            .es = "13.7.2: same words"};
+
   of[39] = {.clause = "13.8.1 (Controlling the Viewport); 17.3.4 (Depth Buffer Test)",
             .quotation =
                 "z_w may be represented using either a fixed-point or floating-point "

@@ -218,29 +218,34 @@ Rule offset_slope_rule() {
 }
 
 Rule offset_unit_rule() {
-  return {RuleId::offset_unit,
-          "A unit of polygon offset is the smallest difference of depths that a fixed-point buffer "
-          "keeps",
-          "14.6.5 (depth offset)",
-          "any constant of at least 2^-n, a difference that a buffer of n bits keeps (ruling 38)",
-          "step",
-          alternatives_of<OffsetUnit>(),
-          {{38,
-            "Polygon offset: permitted is clamp(factor m + units r) with any m from the larger "
-            "partial derivative of depth to the length of the gradient (14.6.5). Of a "
-            "fixed-point buffer of n bits r is the implementation's: any number from 2^-n, which "
-            "is no more than one step, since depths that differ by r have distinct values; but "
-            "it is one constant. If a renderer reports its depths, we take the r that fits as "
-            "many of a case's fragments as possible, and judge all of them by it. Of a buffer of "
-            "float32, r is 2^(e - 23), with e the exponent of the largest depth among the "
-            "vertices. Vertices may have moved, and each operation may err, as in ruling 9. The "
-            "sum of depth and offset is clamped to 0 to 1. All fragments of a triangle have one "
-            "offset."},
-           {45,
-            "A fragment's depth beyond 0 to 1 after a polygon offset, as a shader reads it in "
-            "gl_FragCoord.z, is contested if it would be right when clamped: 14.6.5 clamps "
-            "depths once they are offset, 15.2.2 speaks of the addition alone. What is stored is "
-            "clamped."}}};
+  return {
+      RuleId::offset_unit,
+      "A unit of polygon offset is the smallest difference of depths that a fixed-point buffer "
+      "keeps",
+      "14.6.5 (depth offset)",
+      "any constant of at least 2^-n, a difference that a buffer of n bits keeps (ruling 38)",
+      "step",
+      alternatives_of<OffsetUnit>(),
+      {{38,
+        "Polygon offset: permitted is clamp(factor m + units r) with any m from the larger "
+        "partial derivative of depth to the length of the gradient (14.6.5). Of a "
+        "fixed-point buffer of n bits r is the implementation's: any number from 2^-n, which "
+        "is no more than one step, since depths that differ by r have distinct values; but "
+        "it is one constant. If a renderer reports its depths, we take the r that fits as "
+        "many of a case's fragments as possible, and judge all of them by it. Of a buffer of "
+        "float32, r is 2^(e - 23), with e the exponent of the largest depth among the "
+        "vertices. Vertices may have moved, and each operation may err, as in ruling 9. The "
+        "sum of depth and offset is clamped to 0 to 1. All fragments of a triangle have one "
+        "offset."},
+       {45,
+        "A fragment's depth beyond 0 to 1 after a polygon offset, as a shader reads it in "
+        "gl_FragCoord.z, is contested if it would be right when clamped: 14.6.5 clamps "
+        "depths once they are offset, 15.2.2 speaks of the addition alone. What is stored is "
+        "clamped."},
+       {64,
+        "In all answers of a renderer on a surface r of a fixed-point depth buffer of n bits is "
+        "one constant, throughout the range of depths: what two answers show of it must have "
+        "a number in common. Which number that is remains open (ruling 38)."}}};
 }
 
 Rule offset_exponent_rule() {

@@ -154,12 +154,19 @@ Rule sample_positions_rule() {
         "coverage is found at points which need not be these, and may lie beyond the pixel "
         "(14.3.1): a sample breaks this ruling if it would be covered, or not, as the renderer "
         "has it, elsewhere in its pixel or less than a pixel beyond it; a difference that no "
-        "such position explains breaks the others. A hole in a shared edge breaks this ruling, "
-        "too, where some such position lies beyond the two triangles."},
+        "such position explains breaks the others, and so does one of a sample of which no one "
+        "position explains all (ruling 65). A hole in a shared edge breaks this ruling, too, where "
+        "some such position lies beyond the two triangles."},
        {62,
         "Contested: two samples of a pixel lie at one place, which the case does not ask for. "
         "OpenGL leaves the places to the renderer; the Khronos tests want at least one shade more "
-        "than there are samples along edges, which samples at one place do not give."}}};
+        "than there are samples along edges, which samples at one place do not give."},
+       {65,
+        "A sample has one place in all pixels of a target whose sample locations are fixed, and in "
+        "all such targets with as many samples: whoever reports places has such targets. Ruling 47 "
+        "leaves open which place that is. Where no place, by the latitude of vertices, explains "
+        "all that an answer covers of a sample, rulings 4, 5, 6 and 28 are broken; where each of "
+        "two answers has a place and both have none, this one is."}}};
 }
 
 }  // namespace edgecase

@@ -220,6 +220,16 @@ void add_samples_sources(std::map<int, RulingSource>& of) {
                 "dEQP-GLES31.functional.shaders.sample_variables.sample_pos.distribution: not all "
                 "samples at one place",
             .es = "13.4: same words"};
+
+  of[65] = {.clause = "8.8 (Multisample Textures); 14.3.1 (Multisampling)",
+            .quotation =
+                "If fixedsamplelocations is TRUE, the image will use identical sample locations "
+                "and the same number of samples for all texels in the image",
+            .khronos =
+                "none compares the coverage of two answers; "
+                "dEQP-GLES3.functional.rasterization.fbo.rbo_multisample_*.primitives lets partly "
+                "covered pixels be free, with each primitive judged alone",
+            .es = "8.8: same words; renderbuffers say nothing of their locations, and are exempt"};
 }
 
 }  // namespace edgecase

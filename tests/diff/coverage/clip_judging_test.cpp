@@ -4,6 +4,8 @@
 // planted, what is drawn of things outside is a violation, and exact agrees with itself.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "diff/coverage/vertex_latitude.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/clip_volume.h"
@@ -142,7 +144,8 @@ TEST(ClipJudging, PointsBeyondTheSidesMayBeDrawnOrNot) {
   }
 }
 
-// A polygon of more than three edges may carry any mean of its vertices' values (14.6.1).
+// That a polygon of more than three edges carries some mean of its vertices' values (14.6.1), and
+// not its plane's, is contested; beyond what they carry is a violation.
 TEST(ClipJudging, APolygonsFragmentsLieInTheHullOfItsVertices) {
   Scene scene = through_near();
   const Color colors[] = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}};
@@ -153,11 +156,14 @@ TEST(ClipJudging, APolygonsFragmentsLieInTheHullOfItsVertices) {
   Rendering other = exact;
   other.pixels.clear();
   for (Fragment& f : other.fragments) f.color = {0.25, 0.25, 0.5, 1};
-  EXPECT_EQ(judge_output(scene, {}, other).verdict, Verdict::permitted);
+  const Result mean = judge_output(scene, {}, other);
+  EXPECT_EQ(mean.verdict, Verdict::contested);
+  for (const Disagreement& d : mean.disagreements) EXPECT_EQ(d.ruling, 66) << d.explanation;
   other.fragments.front().color[0] = 1.0001;
   const Result beyond = judge_output(scene, {}, other);
   EXPECT_EQ(beyond.verdict, Verdict::violation);
-  EXPECT_EQ(beyond.disagreements.size(), 1U) << described(beyond);
+  EXPECT_EQ(std::ranges::count(beyond.disagreements, 9, &Disagreement::ruling), 1)
+      << described(beyond);
   // Off its plane a depth breaks the ruling that is contested, one beyond near and far ruling 9.
   Rendering flat = exact;
   flat.fragments.front().depth = 0.3;

@@ -145,7 +145,9 @@ ExitCode print_results(const Case& one, const Policy& policy, const Selection& s
   if (!profiles) return ExitCode::usage;
   Suite single;
   single.cases = {one};
-  const auto results = run_against(single, policy, *profiles, command.run);
+  SuiteRunOptions options = command.run;
+  options.invariance = true;
+  const auto results = run_against(single, policy, *profiles, options);
   if (!results) return ExitCode::usage;
   if (results->cases.empty()) {
     print_error("interrupted before the renderers had answered");

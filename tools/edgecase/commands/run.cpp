@@ -264,6 +264,7 @@ ExitCode run(const RunCommand& command, Watched* watched = nullptr) {
   options.whole_suite = is_whole_suite(selection);
   options.strict = command.strict;
   options.likely_first = !command.ask_all;
+  options.invariance = command.run.invariance || command.selection.suite == "core";
   ReportFiles files = command.files;
   // What was taken over from another's file is not this user's work.
   if (is_own && (!since || command.ask_all)) files.key = key.get();

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "diff/single_things.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diff/values/value_diff.h"
+
+namespace edgecase {
+namespace {
+
+using Kind = SingleThing::Kind;
+
+constexpr int kRulingOnUnits = 64;
+constexpr int kRulingOnPlaces = 65;
+
+bool is_of_unit(const SingleThing& thing) {
+  return thing.kind == Kind::offset_unit;
+}
+
+std::string text_of(const SingleThing& thing) {
+  if (is_of_unit(thing))
+    return fmt::format("a unit of polygon offset in a depth buffer of {} bits", thing.of);
+  return fmt::format("{} of sample {} of {} in its pixel", thing.kind == Kind::sample_x ? 'x' : 'y',
+                     thing.sample, thing.of);
+}
+
+Disagreement refutation_of(const SingleThing& thing) {
+  const bool is_unit = is_of_unit(thing);
+  Disagreement d =
+      value_disagreement({0, 0}, -1, is_unit ? RuleId::offset_unit : RuleId::sample_positions,
+                         is_unit ? kRulingOnUnits : kRulingOnPlaces);
+  d.sample = is_unit ? 0 : thing.sample;
+  return d;
+}
+
+std::optional<Disagreement> refutation_by_interval(const Result::Shown& shown,
+                                                   const Meetings& meetings) {
+  const auto found = meetings.find(shown.thing);
+  if (found == meetings.end()) return std::nullopt;
+  const Meeting& meeting = found->second;
+  const bool is_lower = shown.high < meeting.where.low;
+  if (!is_lower && shown.low <= meeting.where.high) return std::nullopt;
+  Disagreement d = refutation_of(shown.thing);
+  d.exact = {is_lower ? meeting.where.low : meeting.where.high};
+  d.rendered = {is_lower ? shown.high : shown.low};
+  d.explanation = fmt::format(
+      "{} is {} {:.9g} by this answer, and {} {:.9g} by that to {}: both cannot be, since it is "
+      "one. Ruling {}",
+      text_of(shown.thing), is_lower ? "at most" : "at least", d.rendered[0],
+      is_lower ? "at least" : "at most", d.exact[0], is_lower ? meeting.lowest : meeting.highest,
+      d.ruling);
+  return d;
+}
+
+std::optional<Disagreement> refutation_of_cells(const Result::Shown& shown,
+                                                const Meetings& meetings) {
+  const auto [kind, of, sample] = shown.thing;
+  const auto x = meetings.find({Kind::sample_x, of, sample});
+  const auto y = meetings.find({Kind::sample_y, of, sample});
+  if (x == meetings.end() || y == meetings.end()) return std::nullopt;
+  const Interval across = x->second.where;
+  const Interval up = y->second.where;
+  if (shown.cells.meets(across.low, across.high, up.low, up.high)) return std::nullopt;
+  Disagreement d = refutation_of(shown.thing);
+  d.explanation = fmt::format(
+      "sample {} of {} lies from ({:.9g}, {:.9g}) to ({:.9g}, {:.9g}) of its pixel by other "
+      "answers, "
+      "as by that to {}; with it there, some of what this answer covers or leaves out of it cannot "
+      "be. Ruling {}",
+      sample, of, across.low, up.low, across.high, up.high, x->second.lowest, d.ruling);
+  return d;
+}
+
+}  // namespace
+
+void SingleThings::add(const Result& result, const std::string& id) {
+  for (const Result::Shown& shown : result.shown) {
+    if (shown.thing.kind == Kind::sample_cells) continue;
+    Saying& saying = sayings_[shown.thing][{shown.low, shown.high}];
+    if (saying.answers++ == 0 || id < saying.first) saying.first = id;
+  }
+}
+
+Meetings SingleThings::meetings() const {
+  Meetings meetings;
+  for (const auto& [thing, sayings] : sayings_) {
+    std::vector<Weighed> all;
+    for (const auto& [bounds, saying] : sayings)
+      all.push_back({{bounds.first, bounds.second}, saying.answers});
+    const Interval where = *where_most_meet(all);
+    Meeting meeting{where, {}, {}};
+    for (const auto& [bounds, saying] : sayings) {
+      const bool meets = bounds.first <= where.low && where.high <= bounds.second;
+      meeting.is_refuted = meeting.is_refuted || !meets;
+      if (!meets) continue;
+      if (bounds.first == where.low) meeting.lowest = saying.first;
+      if (bounds.second == where.high) meeting.highest = saying.first;
+    }
+    meetings.emplace(thing, std::move(meeting));
+  }
+  return meetings;
+}
+
+void report_refuted_things(const Meetings& meetings, Result& result) {
+  std::erase_if(result.disagreements, [](const Disagreement& d) {
+    return d.ruling == kRulingOnUnits || d.ruling == kRulingOnPlaces;
+  });
+  std::vector<Disagreement> refuted;
+  for (const Result::Shown& shown : result.shown)
+    if (auto d = shown.thing.kind == Kind::sample_cells ? refutation_of_cells(shown, meetings)
+                                                        : refutation_by_interval(shown, meetings))
+      refuted.push_back(*std::move(d));
+  result.disagreements.insert(result.disagreements.begin(), refuted.begin(), refuted.end());
+}
+
+}  // namespace edgecase

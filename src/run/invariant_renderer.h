@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// A renderer that is also asked for the images of each scene (diff/invariance.h), and whose
+// renderings say what was drawn otherwise there.
+#pragma once
+
+#include <memory>
+
+#include "model/renderer.h"
+
+namespace edgecase {
+
+class InvariantRenderer final : public Renderer {
+ public:
+  explicit InvariantRenderer(std::unique_ptr<Renderer> inner) : inner_(std::move(inner)) {}
+
+  const RendererInfo& info() const override { return inner_->info(); }
+  // An image that the renderer does not support, or that a recording lacks, is not asked for. If it
+  // fails otherwise, that is the outcome of the scene.
+  void render(std::span<const Task> tasks, const OutcomeSink& sink) override;
+  std::uint64_t outcome_digest() const override { return digest_; }
+
+ private:
+  std::unique_ptr<Renderer> inner_;
+  std::uint64_t digest_ = 0;  // of all outcomes of the latest scene
+};
+
+}  // namespace edgecase
