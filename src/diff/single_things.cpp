@@ -103,6 +103,34 @@ Meetings SingleThings::meetings() const {
   return meetings;
 }
 
+namespace {
+
+constexpr const char* kUnitTrait = "unit of polygon offset, ";
+constexpr const char* kSampleTrait = "place of sample ";
+
+}  // namespace
+
+std::map<std::string, std::string> traits_of(const Meetings& meetings) {
+  std::map<std::string, std::string> traits;
+  for (const auto& [thing, meeting] : meetings) {
+    const Interval where = meeting.where;
+    if (is_of_unit(thing)) {
+      traits[fmt::format("{}{} bits", kUnitTrait, thing.of)] =
+          fmt::format("{:.4g} to {:.4g}", where.low, where.high);
+    } else if (const auto y = meetings.find({Kind::sample_y, thing.of, thing.sample});
+               thing.kind == Kind::sample_x && y != meetings.end()) {
+      const Interval up = y->second.where;
+      traits[fmt::format("{}{} of {}", kSampleTrait, thing.sample, thing.of)] = fmt::format(
+          "({:.3g}, {:.3g}) to ({:.3g}, {:.3g})", where.low, up.low, where.high, up.high);
+    }
+  }
+  return traits;
+}
+
+bool is_of_a_thing(const std::string& trait) {
+  return trait.starts_with(kUnitTrait) || trait.starts_with(kSampleTrait);
+}
+
 void report_refuted_things(const Meetings& meetings, Result& result) {
   std::erase_if(result.disagreements, [](const Disagreement& d) {
     return d.ruling == kRulingOnUnits || d.ruling == kRulingOnPlaces;

@@ -40,6 +40,12 @@ class SingleThings {
   std::map<SingleThing, std::map<std::pair<double, double>, Saying>> sayings_;
 };
 
+// What a run says of its renderer's things, as traits: "unit of polygon offset, 16 bits" is
+// "1.526e-05 to 1.527e-05", "place of sample 2 of 4" is "(0.359, 0.594) to (0.391, 0.656)".
+std::map<std::string, std::string> traits_of(const Meetings& meetings);
+// Whether a trait is one of them, with whatever behind its name.
+bool is_of_a_thing(const std::string& trait);
+
 // Adds a disagreement for each thing of which the answer shows what most others refute, and names
 // one that does. Two intervals that both meet others need not meet each other, but those of most
 // answers meet in one place, so one of them alone refutes what does not (Helly). Cells are refuted

@@ -20,8 +20,12 @@ template <class Wanted>
 void judge_those(Results& results, RunReadings readings, const Wanted& is_wanted) {
   for (RendererInfo& info : results.renderers)
     std::erase_if(info.traits, [](const auto& trait) { return is_of_judging(trait.first); });
-  for (const auto& [key, reading] : readings)
-    results.renderers[key.first].traits[kReading + key.second] = reading.line_snap;
+  for (const auto& [key, reading] : readings) {
+    std::map<std::string, std::string>& traits = results.renderers[key.first].traits;
+    traits[kReading + key.second] = reading.line_snap;
+    for (const auto& [name, value] : traits_of(reading.things))
+      traits[name + ", " + key.second] = value;
+  }
   results.rules.clear();
   for (auto& [key, reading] : readings) {
     const RendererInfo& info = results.renderers[key.first];
@@ -87,7 +91,7 @@ void judge_rest(Results& results, const RunReadings& readings) {
 }
 
 bool is_of_judging(const std::string& trait) {
-  return trait.starts_with(kReading);
+  return trait.starts_with(kReading) || is_of_a_thing(trait);
 }
 
 bool is_surely_unexpected(const Case& one, Result result, Latitude latitude,

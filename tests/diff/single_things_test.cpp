@@ -121,6 +121,19 @@ TEST(SingleThings, CellsThatNowhereMeetTheOtherAnswersAreRefuted) {
   EXPECT_FALSE(PlaceCells::parse("0"));
 }
 
+TEST(SingleThings, ThePortraitHoldsThem) {
+  SingleThings things;
+  things.add(showing(kUnit, 1.5e-5, 1.6e-5), "a");
+  things.add(showing(kPlace, 0.25, 0.5), "a");
+  things.add(showing({SingleThing::Kind::sample_y, 4, 2}, 0.75, 1), "b");
+  const std::map<std::string, std::string> expected = {
+      {"place of sample 2 of 4", "(0.25, 0.75) to (0.5, 1)"},
+      {"unit of polygon offset, 16 bits", "1.5e-05 to 1.6e-05"}};
+  EXPECT_EQ(traits_of(things.meetings()), expected);
+  for (const auto& [name, value] : expected) EXPECT_TRUE(is_of_a_thing(name + ", fbo"));
+  EXPECT_FALSE(is_of_a_thing("point_sizes"));
+}
+
 // The order in which threads come does not matter.
 TEST(SingleThings, TheOrderOfAnswersDoesNotMatter) {
   std::vector<std::pair<Result, std::string>> answers;
