@@ -7,6 +7,7 @@
 #include <set>
 #include <thread>
 #include <tuple>
+#include <utility>
 
 #include "model/threads.h"
 #include "rules/all_rules.h"
@@ -169,6 +170,36 @@ CoreSuite find_core(const CaseStore& cases, std::size_t times) {
     if (has_ruling_in_force(rule) && !named.contains(rule.id))
       core.unnamed.push_back(name_of(rule.id));
   return core;
+}
+
+std::size_t add_shown(const Results& results, std::vector<std::string>& ids) {
+  // By renderer and known fault, or "" for any violation: the first case, and whether one is
+  // listed.
+  struct Shown {
+    std::string first;
+    bool is_listed = false;
+  };
+  std::map<std::pair<std::size_t, std::string>, Shown> shown;
+  for (std::size_t i = 0; i < results.cases.size(); ++i) {
+    const CaseOutline& one = results.cases.outline(i);
+    const bool is_listed = std::ranges::binary_search(ids, one.id);
+    for (std::size_t r = 0; r < one.answers.size(); ++r) {
+      const ResultOutline& answer = one.answers[r];
+      std::vector<std::string> of = answer.faults;
+      if (of.empty() && answer.verdict == Verdict::violation) of.emplace_back();
+      for (const std::string& fault : of) {
+        Shown& known = shown[{r, fault}];
+        if (known.first.empty()) known.first = one.id;
+        known.is_listed = known.is_listed || is_listed;
+      }
+    }
+  }
+  const std::size_t before = ids.size();
+  for (const auto& [fault, known] : shown)
+    if (!known.is_listed && std::ranges::find(ids, known.first) == ids.end())
+      ids.push_back(known.first);
+  std::ranges::sort(ids);
+  return ids.size() - before;
 }
 
 }  // namespace edgecase

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "results/results.h"
 #include "run/case_store.h"
 
 namespace edgecase {
@@ -29,5 +30,10 @@ struct CoreSuite {
 // least 1. Cases of large targets are taken for goals that no other reaches; of those that reach
 // equally many, the one of the smallest weight is taken.
 CoreSuite find_core(const CaseStore& cases, std::size_t times);
+
+// Appends to a sorted list of ids, for each renderer of the results, the first case that shows each
+// of its known faults, and the first that is a violation of one without any: unless the list has
+// such a case. Returns how many were added. The list stays sorted.
+std::size_t add_shown(const Results& results, std::vector<std::string>& ids);
 
 }  // namespace edgecase

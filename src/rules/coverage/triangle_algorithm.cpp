@@ -29,10 +29,37 @@ std::vector<PixelPosition> by_edge_functions(const Triangle& triangle, const Pix
   return walk_edges<std::int64_t>({edge(0), edge(1), edge(2)}, some);
 }
 
+// The function of the edge a -> b, where each operation is rounded.
+Binary32 rounded_cross(Point a, Point b, Point p) {
+  const auto x = [](Point of) { return Binary32::from_fixed(of.x); };
+  const auto y = [](Point of) { return Binary32::from_fixed(of.y); };
+  return (x(b) - x(a)) * (y(p) - y(a)) - (y(b) - y(a)) * (x(p) - x(a));
+}
+
+std::vector<PixelPosition> by_rounded_edges(const Triangle& triangle, const PixelBounds& bounds,
+                                            const TieRule& ties) {
+  if (doubled_area(triangle) == 0) return {};
+  const Triangle t = counter_clockwise(triangle);
+  const PixelBounds some = sample_bounds(triangle, bounds);
+  const auto is_inside = [&](std::size_t i, Point sample) {
+    const Point a = t[i], b = t[(i + 1) % 3];
+    const Binary32 value = rounded_cross(a, b, sample);
+    if (!value.is_zero()) return !value.is_negative();
+    return ties.positive(0, a.y.raw() - b.y.raw(), b.x.raw() - a.x.raw());
+  };
+  std::vector<PixelPosition> pixels;
+  for (int y = some.y_min; y <= some.y_max; ++y)
+    for (int x = some.x_min; x <= some.x_max; ++x)
+      if (const Point sample = pixel_centre(x, y);
+          is_inside(0, sample) && is_inside(1, sample) && is_inside(2, sample))
+        pixels.push_back({x, y});
+  return pixels;
+}
+
 }  // namespace
 
 bool has_tie_rule(TriangleAlgorithm algorithm) {
-  return algorithm == TriangleAlgorithm::edge_functions;
+  return algorithm != TriangleAlgorithm::scan;
 }
 
 PixelBounds sample_bounds(const Triangle& t, const PixelBounds& bounds) {
@@ -55,6 +82,8 @@ std::vector<PixelPosition> triangle_pixels(const Triangle& triangle, const Pixel
       return by_edge_functions(triangle, bounds, ties);
     case TriangleAlgorithm::scan:
       return scanned_triangle_pixels(triangle, bounds);
+    case TriangleAlgorithm::float_edges:
+      return by_rounded_edges(triangle, bounds, ties);
   }
   return {};
 }

@@ -3,8 +3,10 @@
 // Algorithms that draw triangles.
 //
 // OpenGL says which samples lie inside a triangle. It leaves the method to the implementation, as
-// long as rulings 4 and 5 hold. Edge functions are exact. Scan conversion rounds. It is listed here
-// so that a renderer which uses it can be distinguished from one that is merely wrong.
+// long as rulings 4 and 5 hold. Edge functions of integers are exact. Scan conversion rounds, and
+// so do edge functions of floats, with which a centre at a hair from an edge falls on the wrong
+// side, or on that of both triangles beside it. Both are listed here so that a renderer which uses
+// them can be distinguished from one that is merely wrong.
 #pragma once
 
 #include <array>
@@ -20,7 +22,8 @@ namespace edgecase {
 
 enum class TriangleAlgorithm {
   edge_functions,
-  scan,  // scan conversion in single precision; ties follow from its truncation
+  scan,         // scan conversion in single precision; ties follow from its truncation
+  float_edges,  // edge functions in single precision
 };
 template <>
 inline constexpr auto kNames<TriangleAlgorithm> = std::to_array<
@@ -30,7 +33,11 @@ inline constexpr auto kNames<TriangleAlgorithm> = std::to_array<
      {TriangleAlgorithm::scan, "scan", Openness::open,
       "scan conversion in single precision, row by row upward, with rounded slopes; right and "
       "bottom edges own the samples on them; vertices that are divided by w and not snapped are "
-      "first rounded to the nearest multiple of 2^-16"}});
+      "first rounded to the nearest multiple of 2^-16"},
+     {TriangleAlgorithm::float_edges, "float-edges", Openness::open,
+      "edge functions (b.x - a.x)(p.y - a.y) - (b.y - a.y)(p.x - a.x), each operation rounded to "
+      "single precision, the vertices counter-clockwise; samples where one is 0 follow "
+      "triangle.fill-rule"}});
 
 // True if the algorithm uses a tie rule.
 bool has_tie_rule(TriangleAlgorithm algorithm);

@@ -123,8 +123,9 @@ TEST(TriangleScan, StaysWithinTheBounds) {
   }
 }
 
-TEST(TriangleAlgorithms, EdgeFunctionsAloneHaveATieRule) {
+TEST(TriangleAlgorithms, EdgeFunctionsHaveATieRule) {
   EXPECT_TRUE(has_tie_rule(TriangleAlgorithm::edge_functions));
+  EXPECT_TRUE(has_tie_rule(TriangleAlgorithm::float_edges));
   EXPECT_FALSE(has_tie_rule(TriangleAlgorithm::scan));
 }
 

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "model/text.h"
 #include "reports/text.h"
@@ -14,6 +16,7 @@
 #include "run/separation.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/options.h"
+#include "tools/edgecase/output/report_files.h"
 
 namespace edgecase {
 namespace {
@@ -25,16 +28,17 @@ struct SeparationCommand {
   std::size_t least = 0;
   bool full = false;
   bool cover = false;
-  std::string list;  // file of the cover's ids
+  std::string list;                // file of the cover's ids
+  std::vector<std::string> shown;  // files of results
 };
 
 // The first lines of the list; the second is what a test finds in the core, too.
 std::string head_of_list(const CoreSuite& core, const SeparationCommand& command) {
   return fmt::format(
-      "# The core of the suite. Renewed by `edgecase separation --cover --least {} -o "
+      "# The core of the suite. Renewed by `edgecase separation --cover --least {}{} -o "
       "cases/core.txt`.\n# {} of alternatives, the rulings of {}.\n",
-      std::max<std::size_t>(command.least, 1), counted(core.pairs, "pair", "pairs"),
-      counted(core.rules, "rule", "rules"));
+      std::max<std::size_t>(command.least, 1), command.shown.empty() ? "" : " --shown RESULTS",
+      counted(core.pairs, "pair", "pairs"), counted(core.rules, "rule", "rules"));
 }
 
 void print_matrix(const SeparationMatrix& matrix) {
@@ -63,12 +67,19 @@ std::size_t print_weak_pairs(const SeparationMatrix& matrix, std::size_t least) 
 }
 
 ExitCode print_cover(const SeparationCommand& command, const Suite& suite) {
-  const CoreSuite core = find_core(suite.cases, std::max<std::size_t>(command.least, 1));
+  CoreSuite core = find_core(suite.cases, std::max<std::size_t>(command.least, 1));
   fmt::print(
       "{} of {} tell apart the {} of alternatives that all tell apart, and touch the rulings of "
       "{}; no list has fewer than {}\n",
       core.ids.size(), counted(suite.cases.size(), "case", "cases"),
       counted(core.pairs, "pair", "pairs"), counted(core.rules, "rule", "rules"), core.fewest);
+  for (const std::string& file : command.shown) {
+    ExitCode exit = ExitCode::as_expected;
+    const auto results = load_results(file, exit);
+    if (!results) return exit;
+    fmt::print("{} more show what the renderers of {} do wrong\n", add_shown(*results, core.ids),
+               one_line(file));
+  }
   for (const std::string& rule : core.unnamed) fmt::print("  no case names {}\n", rule);
   if (command.list.empty()) {
     for (const std::string& id : core.ids) fmt::print("{}\n", one_line(id));
@@ -117,6 +128,9 @@ void add_separation_command(CLI::App& app, ExitCode& exit) {
       "Find the shortest list of cases that tells apart every pair that all cases tell apart, "
       "each by --least cases, and touches every ruling");
   command->add_option("-o,--output", options->list, "File for that list")->needs(cover);
+  add_repeatable(*command, "--shown", options->shown,
+                 "Results of which the list shows each known fault of each renderer, and a "
+                 "violation of each without any; needs --cover; repeatable");
   command->callback([options, &exit] { exit = separate(*options); });
 }
 
