@@ -81,7 +81,7 @@ std::string size_limit(const Draw& draw, const Target& target, const DriverLimit
     return fmt::format("multisampled lines of width {} are not drawn by this driver: it has {}",
                        width, text_of_range(range));
   }
-  // A width is rounded to a whole number, at least 1 (GL 4.6 core, 14.5.2.1).
+  // A width is rounded to a whole number, at least 1 (GL 4.6 core, 14.5.2.2).
   if (std::floor(width + 0.5) > std::max(1.0, static_cast<double>(limits.line_widths[1])))
     return fmt::format("lines of width {} are not drawn by this driver: it has {}", width,
                        text_of_range(limits.line_widths));

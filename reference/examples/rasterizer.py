@@ -369,7 +369,7 @@ def render(scene):
 def answer(scene):
     if "supersampling" in scene["target"]:
         return {"not_run": "this example draws one pass"}
-    # 14.5.2.1: without multisampling a width is rounded to a whole number of pixels.
+    # 14.5.2.2: without multisampling a width is rounded to a whole number of pixels.
     if any(d["primitive"].startswith("line") and d["line_width"] >= 1.5
            and not d.get("multisampling", {}).get("enabled") for d in scene["draws"]):
         return {"not_run": "this example draws lines of width 1"}

@@ -35,7 +35,7 @@ inline Point centre_of_pixel() {
 Point place_in(PixelPosition pixel, Point within);
 
 // Where the interpolated attributes of a fragment are evaluated: the qualifiers of GLSL 4.60,
-// 4.5.2. `sample` also makes the shader run once for each sample.
+// 4.5. `sample` also makes the shader run once for each sample.
 enum class AttributeLocation {
   center,    // anywhere in the pixel
   centroid,  // anywhere in the pixel and the primitive

@@ -174,7 +174,7 @@ TEST_P(PrimitivesTest, WideLines) {
                 HasSubstr("lines of width 3 are not drawn by this driver: it has"));
     return;
   }
-  // 14.5.2.1: the line's fragments, moved by (3 - 1) / 2 and replicated along the minor axis. An
+  // 14.5.2.2: the line's fragments, moved by (3 - 1) / 2 and replicated along the minor axis. An
   // end may be one pixel off.
   const auto middle = [](const Outcome& outcome, bool up) {
     std::string text = coverage(std::get<Rendering>(outcome));

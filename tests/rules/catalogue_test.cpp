@@ -79,6 +79,14 @@ TEST(Catalogue, EveryRulingSaysWhatItRestsOn) {
     }
 }
 
+// A verdict cites a ruling alone: its text tells by itself whether it is contested.
+TEST(Catalogue, ContestedRulingsSayFirstThatTheyAre) {
+  for (const Rule& rule : all_rules())
+    for (const Ruling& ruling : rule.rulings)
+      EXPECT_EQ(ruling.text.starts_with("Contested: "), ruling.source.basis == Basis::contested)
+          << ruling.number << ": " << ruling.text;
+}
+
 TEST(Catalogue, EverySourceIsThatOfARuling) {
   const std::map<int, RulingSource> sources = ruling_sources();
   for (int number = 1; number < 1000; ++number)

@@ -111,16 +111,31 @@ Rule clip_volume_rule() {
         "as the implementation likes; exact discards it. Elsewhere nothing is drawn of it, however "
         "large it is."},
        {66,
-        "What a fragment of a clipped polygon carries lies on the triangle's plane, within the "
-        "latitude of ruling 42, and is not just any mean of what the polygon's vertices carry. Of "
-        "depth ruling 44 speaks. What is less than the least of them, or more than the greatest, "
-        "breaks ruling 9."},
+        "Contested: a value that a fragment of a clipped polygon carries, other than depth, lies "
+        "between the least and the greatest of the values at the polygon's vertices, but is not "
+        "that of the triangle's plane. The plane's value may be that of any place within reach: "
+        "vertices may be moved by less than a sub-pixel step, and each operation may err by 1 part "
+        "in 10^5 (ruling 42). Equation 14.9 interpolates values between the triangle's vertices. "
+        "But of a polygon with more than three edges 14.6.1 requires only a convex combination of "
+        "the values at its vertices, and so does OpenGL ES 3.2 (13.7.1). The Khronos tests "
+        "(dEQP-GLES3.functional.clipping.polygon.*) want the plane's colours, within a pixel. A "
+        "value below the least or above the greatest is a violation (ruling 9)."},
        {44,
-        "The depth of a fragment of a clipped polygon lies on the triangle's plane (equation "
-        "14.10), and not only between the least and the greatest of the polygon's vertices."},
+        "Contested: a depth of a clipped polygon's fragment lies between the least and the "
+        "greatest depth of the polygon's vertices, but not on the triangle's plane. Equation 14.10 "
+        "interpolates depths between the triangle's vertices. But of a polygon with more than "
+        "three edges 14.6.1 requires only a convex combination of the values at its vertices, and "
+        "so does OpenGL ES 3.2 (13.7.1). The Khronos tests of clipped polygons "
+        "(dEQP-GLES3.functional.clipping.polygon.*) compare coverage and colours, no depths."},
        {54,
-        "Points and lines have fragments beyond the viewport's sides, wherever their square or "
-        "their width reaches into the framebuffer."}}};
+        "Contested: a point or a line lacks fragments beyond the viewport's sides, where its "
+        "square or its width reaches into the framebuffer. 14.4.1 produces a fragment for each "
+        "framebuffer pixel whose centre lies in the point's square, 14.5.2.2 produces whole "
+        "columns and rows, and neither cuts them at the viewport. But issue 57 of OpenGL-API asks "
+        "whether they are to be cut, and is open. Implementations cut them, and so does the "
+        "reference of the Khronos tests (dEQP-GLES3.functional.clipping.point.* and line.*). "
+        "OpenGL ES 3.2 has the same words (13.5.1, 13.6.2.1); WebGL 1.0 makes points beyond the "
+        "sides optional."}}};
 }
 
 // ------------------------------------------------------------------------------------- explanation

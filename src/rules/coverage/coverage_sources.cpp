@@ -13,9 +13,10 @@ void add_coverage_sources(std::map<int, RulingSource>& of) {
            .khronos =
                "dEQP-GLES3.functional.rasterization.primitives.lines, line_strip, line_loop "
                "(verifySinglesampleLineGroupRasterization): each reference fragment has a drawn "
-               "one within one pixel (image border free), total count within lines x width "
-               "unless lines overlap; width of columns; stray fragments and clause 4 are not "
-               "looked at (\"todo\")",
+               "one within one pixel (image border free), total count within lines x width unless "
+               "lines overlap; two fragments in a column of an x-major line fail, two in a row of "
+               "a y-major one pass (the loop over rows never assigns `lineID`); stray fragments "
+               "and clause 4 are not looked at (\"todo\")",
            .es = "13.6.1: same"};
 
   of[2] = {.clause = "14.5.1, rules 1 and 2",
@@ -96,18 +97,19 @@ void add_coverage_sources(std::map<int, RulingSource>& of) {
           "wants no pixel to differ; none moves a primitive or masks colours",
       .es = "13.1 and B.3: same words"};
 
-  of[12] = {.clause = "14.5.2.2 (Wide Lines)",
-            .quotation =
-                "The actual width of non-antialiased lines is determined by rounding the "
-                "supplied width to the nearest integer, then clamping it",
-            .khronos =
-                "dEQP-GLES3.functional.rasterization.primitives.lines_wide etc. "
-                "(tcuRasterizationVerifier.cpp verifySinglesampleLineGroupRasterization): "
-                "floor(w + 0.5), AND one less if the width has a fraction "
-                "(\"lineWidthHasFrac\"); reference fragment within 1 pixel of a drawn one; count "
-                "off by at most lines x width; never checks extra stray fragments or clause 4. "
-                "The reference line rasterizer cuts columns at the viewport",
-            .es = "13.6.2.1: same"};
+  of[12] = {
+      .clause = "14.5.2.2 (Wide Lines)",
+      .quotation =
+          "The actual width of non-antialiased lines is determined by rounding the "
+          "supplied width to the nearest integer, then clamping it",
+      .khronos =
+          "dEQP-GLES3.functional.rasterization.primitives.lines_wide etc. "
+          "(tcuRasterizationVerifier.cpp verifySinglesampleLineGroupRasterization): floor(w + "
+          "0.5), AND one less if the width has a fraction (\"lineWidthHasFrac\"), of columns of "
+          "x-major lines alone: the loop over rows never assigns `lineID`; reference fragment "
+          "within 1 pixel of a drawn one; count off by at most lines x width; never checks extra "
+          "stray fragments or clause 4. The reference line rasterizer cuts columns at the viewport",
+      .es = "13.6.2.1: same"};
 
   of[14] = {
       .clause = "14.5.1, rule 4",
@@ -211,22 +213,23 @@ void add_coverage_sources(std::map<int, RulingSource>& of) {
           "cuts at the intersection of viewport and buffer, within 1 pixel",
       .es = "13.5.1 and 13.6.2.1: the same; WebGL 1.0 makes points beyond the sides optional"};
 
-  of[56] = {.clause = "14.5.2.2 (Wide Lines)",
-            .quotation =
-                "The actual width of non-antialiased lines is determined by rounding the "
-                "supplied width to the nearest integer, then clamping it",
-            .basis = Basis::contested,
-            .contest =
-                "the Khronos tests take the next smaller width, too, where the width asked for "
-                "has a fraction",
-            .khronos =
-                "dEQP-GLES3.functional.rasterization.primitives.lines_wide etc. "
-                "(tcuRasterizationVerifier.cpp verifySinglesampleLineGroupRasterization): "
-                "floor(w + 0.5), AND one less if the width has a fraction "
-                "(\"lineWidthHasFrac\"); reference fragment within 1 pixel of a drawn one; count "
-                "off by at most lines x width; never checks extra stray fragments or clause 4. "
-                "The reference line rasterizer cuts columns at the viewport",
-            .es = "13.6.2.1: same"};
+  of[56] = {
+      .clause = "14.5.2.2 (Wide Lines)",
+      .quotation =
+          "The actual width of non-antialiased lines is determined by rounding the "
+          "supplied width to the nearest integer, then clamping it",
+      .basis = Basis::contested,
+      .contest =
+          "the Khronos tests take the next smaller width, too, where the width asked for "
+          "has a fraction",
+      .khronos =
+          "dEQP-GLES3.functional.rasterization.primitives.lines_wide etc. "
+          "(tcuRasterizationVerifier.cpp verifySinglesampleLineGroupRasterization): floor(w + "
+          "0.5), AND one less if the width has a fraction (\"lineWidthHasFrac\"), of columns of "
+          "x-major lines alone: the loop over rows never assigns `lineID`; reference fragment "
+          "within 1 pixel of a drawn one; count off by at most lines x width; never checks extra "
+          "stray fragments or clause 4. The reference line rasterizer cuts columns at the viewport",
+      .es = "13.6.2.1: same"};
 
   of[58] = {.clause = "14.5.1, rules 1 and 2",
             .quotation =

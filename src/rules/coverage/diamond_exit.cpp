@@ -277,11 +277,16 @@ Rule diamond_exit_rule() {
        "that lie within one unit of the target's border count as seen or unseen, whichever "
        "favours the renderer."},
       {2,
-       "Lines whose set of diamond-exit fragments is empty: at most one fragment, and the segment "
-       "meets its closed diamond."},
+       "Lines of width 1 whose set of diamond-exit fragments is empty: at most one fragment is "
+       "drawn, and it lies within one unit in x and y of a pixel whose closed diamond the segment "
+       "meets. Ruling 58 contests one that does not lie at such a pixel."},
       {58,
-       "The one fragment of a line that has no diamond-exit fragments lies at a pixel whose closed "
-       "diamond the segment meets, and not only within one unit of such a pixel."}};
+       "Contested: the one fragment of a line of width 1 that has no diamond-exit fragments lies "
+       "within one unit in x and y of a pixel whose closed diamond the segment meets, but not at "
+       "such a pixel. Rule 1 of 14.5.1 allows a fragment only near a corresponding one of the "
+       "diamond-exit rule, and here there is none. But rule 2 lets one more be produced, and no "
+       "rule speaks of the closed diamond. No Khronos test asks this, since all of their lines are "
+       "long. OpenGL ES 3.2 has the same rules (13.6.1)."}};
   return rule;
 }
 

@@ -314,13 +314,17 @@ Rule line_width_rule() {
   rule.alternatives = alternatives_of<WideLine>();
   rule.rulings = {
       {12,
-       "Wide lines: each column (row, if y-major) holds one run of as many fragments as the "
-       "width rounded to the nearest integer, a half to either, and the lowest fragments of the "
-       "runs satisfy rulings 1 and 2 for the segment moved by -(w - 1)/2 along the minor axis. A "
-       "run that the target's border cuts is assumed to continue beyond it."},
+       "Wide lines: each column (row, if y-major) holds one run of as many fragments as the width "
+       "rounded to the nearest integer, a half to either. The lowest fragments of the runs satisfy "
+       "rulings 1 and 2 for the segment moved by -(w - 1)/2 along the minor axis; if that segment "
+       "has no diamond-exit fragments, the one run starts at a pixel whose closed diamond it "
+       "meets. A run that the target's border cuts is assumed to continue beyond it."},
       {56,
-       "A wide line is as wide as the nearest integer to its width, and not as the next smaller "
-       "one."}};
+       "Contested: a wide line is as wide as the next integer below its width, where the nearest "
+       "integer is the one above. 14.5.2.2 rounds the width to the nearest integer, and so does "
+       "OpenGL ES 3.2 (13.6.2.1). But the Khronos tests "
+       "(dEQP-GLES3.functional.rasterization.primitives.lines_wide) accept the next smaller width, "
+       "too, where the width asked for has a fraction."}};
   return rule;
 }
 

@@ -128,14 +128,14 @@ Ruling ruling_on_division() {
       "to the viewport and the addition of its centre may each err by 1 part in 10^5 (2.3.4.1), so "
       "that the vertex may be off, in x and in y, by (2 |x - c| + |x|)/10^5, where c is the "
       "viewport's centre, and 2^-16 pixel. It is bit-identical to a vertex with the same clip "
-      "coordinates, or the same position and w. Points and triangles: this adds to the step of "
-      "rulings 4, 5, 6 and 28. A vertex given in the window with w = 1 is scaled and added to as "
-      "well: it may be off by (|x - c| + |x|)/10^5, which takes the place of the step where it is "
-      "larger. Lines: the ends may lie wherever the snap of ruling 1 puts vertices "
-      "that are off by so much. Rulings 1, 2 and 12 then hold against the fragments that the "
-      "diamond-exit rule has for some such ends, and count as missing only those that it has for "
-      "all of them; a line whose major axis depends on them is read either way. Ruling 14 holds "
-      "where major axis and direction do not depend on them."};
+      "coordinates, or the same position and w. Points, triangles and multisampled lines: this "
+      "adds to the step of rulings 4, 5, 6 and 28. A vertex given in the window with w = 1 is "
+      "scaled and added to as well: it may be off by (|x - c| + |x|)/10^5, which takes the place "
+      "of the step where it is larger. Other lines: the ends may lie wherever the snap of ruling 1 "
+      "puts vertices that are off by so much. Rulings 1, 2 and 12 then hold against the fragments "
+      "that the diamond-exit rule has for some such ends, and count as missing only those that it "
+      "has for all of them; a line whose major axis depends on them is read either way. Ruling 14 "
+      "holds where major axis and direction do not depend on them."};
 }
 
 }  // namespace

@@ -332,8 +332,14 @@ Rule blend_rounding_rule() {
             "products by 0 and by 1 and the stored colour's own value have no error. Components "
             "that are masked keep what is stored, to the bit."},
            {61,
-            "A blended component is none of the five integers beyond those of ruling 37. A named "
-            "fault stays one, however small."}}};
+            "Contested: a blended component of an 8-bit target is one to five codes beyond what "
+            "roundings to 8 bits yield: source, constant, both factors, both products and their "
+            "sum each rounded to either neighbouring multiple of 1/255, or not, and the result "
+            "stored as either neighbour (ruling 37). 17.3.6.1 asks for a precision no lower than "
+            "that of the destination's components. But it states no bound for what a whole "
+            "equation makes of it, and neither does OpenGL ES 3.2 (15.1.5.1). The Khronos tests "
+            "(dEQP-GLES3.functional.fragment_ops.blend.*) accept 5 codes of 8 bits. What a named "
+            "fault yields is a violation, however small."}}};
 }
 
 Rule color_mask_rule() {

@@ -158,11 +158,14 @@ Rule depth_test_rule() {
         "equal. If the renderer reports no depth, any depth that rulings 9 and 38 permit is "
         "possible."},
        {55,
-        "Depths that are compared as they are, before conversion, with what a fixed-point buffer "
-        "stores, are contested: 13.8.1 lets window depths be floating-point numbers, and 17.3.4 "
-        "names no conversion before the comparison; but 14.6.5 has depths that differ by r "
-        "distinct, and depths that are the same would not be equal. It must account for all "
-        "samples of a case."}}};
+        "Contested: depths are compared as they are, before conversion, with what a fixed-point "
+        "buffer stores. This must account for all samples of a case. 15.2.3 converts depths to "
+        "fixed-point before the tests, as window depths are, and 14.6.5 has depths that differ by "
+        "r distinct; without the conversion a depth may not equal itself as stored. But 13.8.1 "
+        "lets window depths be floating-point numbers, and 17.3.4 names no conversion before the "
+        "comparison. The Khronos tests with equal depths (dEQP-GLES3.functional.depth_stencil.*) "
+        "pass only if the same depth compares as equal; none asks this by itself. OpenGL ES 3.2 "
+        "has the same sentences (12.6.1, 14.2.3, 15.1.3)."}}};
 }
 
 Rule depth_mask_rule() {

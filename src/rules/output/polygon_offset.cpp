@@ -238,10 +238,11 @@ Rule offset_unit_rule() {
         "sum of depth and offset is clamped to 0 to 1. All fragments of a triangle have one "
         "offset."},
        {45,
-        "A fragment's depth beyond 0 to 1 after a polygon offset, as a shader reads it in "
-        "gl_FragCoord.z, is contested if it would be right when clamped: 14.6.5 clamps "
-        "depths once they are offset, 15.2.2 speaks of the addition alone. What is stored is "
-        "clamped."},
+        "Contested: after a polygon offset gl_FragCoord.z lies beyond 0 to 1, and would be right "
+        "if it were clamped. 14.6.5 clamps depths once the offset is added, whatever the buffer, "
+        "and so does OpenGL ES 3.2 (13.7.2). But 15.2.2 says of gl_FragCoord.z only that the "
+        "offset is added, and drivers clamp where depths are tested. No Khronos test reads "
+        "gl_FragCoord.z after an offset. What is stored is clamped."},
        {64,
         "In all answers of a renderer on a surface r of a fixed-point depth buffer of n bits is "
         "one constant, throughout the range of depths: what two answers show of it must have "

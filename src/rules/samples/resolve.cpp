@@ -93,9 +93,10 @@ Rule resolve_rule() {
         "beyond, which the Khronos tests accept. The samples are those that the renderer "
         "reports, or else those that rulings 27 to 33 permit."},
        {51,
-        "A resolved colour beyond what ruling 31 accepts is not made of the samples: 18.3.1 leaves "
-        "open how they are resolved, and not that they are. The Khronos tests accept 12 codes, and "
-        "nobody accepts more."}}};
+        "A resolved colour more than 12 codes below the least or above the greatest of the samples "
+        "of the pixel and its neighbours is not made of the samples: 18.3.1 leaves open how they "
+        "are resolved, and not that they are. The Khronos tests (dEQP-GLES3.functional.fbo.msaa.*) "
+        "accept 12 codes, and nobody accepts more."}}};
 }
 
 namespace {

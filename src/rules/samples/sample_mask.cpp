@@ -139,12 +139,16 @@ Rule alpha_to_coverage_rule() {
         "for each sample, an invocation's alpha counts for its own sample. While GL_MULTISAMPLE is "
         "disabled it does nothing."},
        {52,
-        "Where a fragment that covers all n samples keeps a number of them that is one or more "
-        "off alpha n, and thresholds as in ruling 33 yield the sum of the case's numbers, their "
-        "slope or their distances from alpha n with odds of less than 10^-9, or one function holds "
-        "for all pixels, it is contested: 17.3.1 says that the function must have the properties "
-        "of "
-        "proportionality of 14.9.3, and 14.9.3 calls them intended."}}};
+        "Contested: fragments that cover all n samples keep numbers of them that are not "
+        "proportional to alpha. Some fragment's number is one or more off alpha n, and thresholds "
+        "for each sample of each pixel, drawn evenly from 0 to 1, yield the sum of the case's "
+        "numbers, their slope or their distances from alpha n with odds of less than 10^-9; or one "
+        "function holds for all pixels, since their equal numbers for equal alphas have such odds. "
+        "17.3.1 says that the function must have the properties of proportionality of 14.9.3. But "
+        "14.9.3 only calls them intended, and OpenGL ES 3.2 says the same (15.1.1, 13.8.3). The "
+        "Khronos tests (dEQP-GLES3.functional.multisample.*.proportionality_alpha_to_coverage) "
+        "want no more than that an image's sum never falls as alpha grows, that 0 keeps nothing "
+        "and that 1 keeps all."}}};
 }
 
 }  // namespace edgecase

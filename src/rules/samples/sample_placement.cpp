@@ -149,18 +149,22 @@ Rule sample_positions_rule() {
         "coverage "
         "mask. Where these positions are not those of the case, exact is drawn anew with them."},
        {47,
-        "The coverage of multisampled primitives is compared with the positions that "
-        "GL_SAMPLE_POSITION reports, under rulings 4, 5, 6, 28 and 42. The text says that "
-        "coverage is found at points which need not be these, and may lie beyond the pixel "
-        "(14.3.1): a sample breaks this ruling if it would be covered, or not, as the renderer "
-        "has it, elsewhere in its pixel or less than a pixel beyond it; a difference that no "
-        "such position explains breaks the others, and so does one of a sample of which no one "
-        "position explains all (ruling 65). A hole in a shared edge breaks this ruling, too, where "
-        "some such position lies beyond the two triangles."},
+        "Contested: the coverage of a multisampled primitive at a sample is wrong for the position "
+        "that GL_SAMPLE_POSITION reports, but right for another position in the sample's pixel or "
+        "less than a pixel beyond it. A hole in a shared edge is contested, too, where some such "
+        "position lies beyond the two triangles. GL_SAMPLE_POSITION says where samples are shaded. "
+        "But 14.3.1 says that coverage is found at points that need not be these, cannot be "
+        "queried and may lie beyond the pixel, and OpenGL ES 3.2 has the same words (13.4). The "
+        "Khronos tests (dEQP-GLES3.functional.rasterization.fbo.rbo_multisample_*.primitives) "
+        "leave all partly covered pixels free. What no such position explains is a violation "
+        "(rulings 4, 5, 6, 28 and 42), and so is what a sample covers if no one position explains "
+        "all of it (ruling 65)."},
        {62,
         "Contested: two samples of a pixel lie at one place, which the case does not ask for. "
-        "OpenGL leaves the places to the renderer; the Khronos tests want at least one shade more "
-        "than there are samples along edges, which samples at one place do not give."},
+        "14.3.1 leaves the places to the renderer, and does not say that they differ; neither does "
+        "OpenGL ES 3.2 (13.4). But the Khronos tests "
+        "(dEQP-GLES3.functional.multisample.*.num_samples) want at least one shade more than there "
+        "are samples along edges, which samples at one place do not give."},
        {65,
         "A sample has one place in all pixels of a target whose sample locations are fixed, and in "
         "all such targets with as many samples: whoever reports places has such targets. Ruling 47 "

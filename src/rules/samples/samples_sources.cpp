@@ -9,8 +9,8 @@ void add_samples_sources(std::map<int, RulingSource>& of) {
   of[27] = {
       .clause = "14.3.1 (Multisampling)",
       .quotation =
-          "These sample points do not necessarily correspond to the shading sample "
-          "locations ... Their locations cannot be queried, and may lie inside or outside",
+          "The location at which shading is performed for a given sample (the shading sample "
+          "location) is queried",
       .khronos =
           "dEQP-GLES31.functional.shaders.sample_variables.sample_pos.correctness/distribution "
           "(es31fSampleVariableTests.cpp): gl_SamplePosition lies in the pixel and the "
@@ -46,8 +46,8 @@ void add_samples_sources(std::map<int, RulingSource>& of) {
 
   of[29] = {.clause = "14.3.1 (Multisampling)",
             .quotation =
-                "set to the values that would have been assigned by single-sample rasterization, "
-                "or they may be assigned as described below for multisample rasterization",
+                "The location for evaluating such associated data can be anywhere within the pixel "
+                "including the fragment center or any of the sample locations",
             .khronos =
                 "dEQP-GLES31.functional.shaders.multisample_interpolation.* "
                 "(es31fShaderMultisampleInterpolationTests.cpp): sample and interpolateAt* only, "
@@ -159,8 +159,8 @@ void add_samples_sources(std::map<int, RulingSource>& of) {
   of[47] = {
       .clause = "14.3.1 (Multisampling)",
       .quotation =
-          "These sample points do not necessarily correspond to the shading sample "
-          "locations ... Their locations cannot be queried, and may lie inside or outside",
+          "These sample points do not necessarily correspond to the shading sample locations "
+          "returned by GetMultisamplefv. Their locations cannot be queried",
       .basis = Basis::contested,
       .contest =
           "the points at which coverage is found cannot be asked for; no test of coverage "
@@ -208,7 +208,9 @@ void add_samples_sources(std::map<int, RulingSource>& of) {
             .es = "15.1.1: same, no alpha to one; 13.8.3 same intent"};
 
   of[62] = {.clause = "14.3.1 (Multisampling)",
-            .quotation = "Their locations cannot be queried, and may lie inside or outside",
+            .quotation =
+                "Their locations cannot be queried, and may lie inside or outside of the unit "
+                "square that is considered to bound the pixel",
             .basis = Basis::contested,
             .contest =
                 "the letter leaves the places of samples to the renderer, and does not say that "

@@ -81,22 +81,27 @@ Rule log2_rule() {
   rule.id = RuleId::texture_log2;
   rule.title = "The level of detail is the base-2 logarithm of the scale factor";
   rule.spec = "8.14.1, level of detail";
-  rule.latitude = "the precision, which is not stated: 2^-6 of a level (rulings 20 and 50)";
+  rule.latitude =
+      "the precision of samplers, which is not stated: 2^-6 of a level (rulings 20 and 50)";
   rule.standard = "exact";
   rule.alternatives = alternatives_of<Log2Method>();
   rule.rulings = {
       {20,
-       "Logarithm: OpenGL states no precision for that of the scale factor. Permitted is a level "
-       "of "
-       "detail within 2^-6 of what the logarithm yields of any scale factor that ruling 19 "
-       "permits, "
-       "as the Khronos tests ask; what is beyond is a violation, or contested by ruling 50, "
+       "Logarithm: the level of detail is the base-2 logarithm of the scale factor (equation 8.7), "
+       "and each operation is accurate to about 1 part in 10^5 (2.3.4.1). Samplers compute levels "
+       "to a few bits, and OpenGL does not say to how many. The Khronos tests of filters "
+       "(dEQP-GLES3.functional.texture.filtering.*) accept a level of detail that is off by 2^-6, "
+       "with a warning one that is off by 2^-4, and none that is farther off. So a level of detail "
+       "is permitted within 2^-6 of the logarithm of any scale factor that ruling 19 permits. One "
+       "that is off by up to 2^-4 is contested by ruling 50; one farther off is a violation, "
        "whatever approximation leads there. The logarithm of 0 is reported as any number of -16 or "
        "less, which no bias leads out of magnification."},
       {50,
-       "Coarse samplers: a level of detail that is off by 2^-6 to 2^-4, and a coordinate that is "
-       "off by 2^-7 to 2^-4 texel, are contested: OpenGL states no precision, and the Khronos "
-       "tests, which ask for 6 bits and 7, let 4 and 4 pass with a warning about quality."}};
+       "Contested: a level of detail is off by 2^-6 to 2^-4, or a coordinate by 2^-7 to 2^-4 of a "
+       "texel. 2.3.4.1 states 1 part in 10^5 of each operation. But no precision of samplers is "
+       "stated, and OpenGL ES 3.2 says the same (2.3.4.1, 8.14.1, 8.14.2). The Khronos tests "
+       "(dEQP-GLES3.functional.texture.filtering.*) ask for 6 bits of the level and 7 of "
+       "coordinates, and let 4 and 4 pass with a warning about quality."}};
   return rule;
 }
 

@@ -144,11 +144,14 @@ Rule mipmap_filter_rule() {
         "negative, lead no further. All of this is meant within one code of 8 bits or 1 part in "
         "10^5."},
        {48,
-        "Contested: a texel of a generated level does not lie between the least and the largest "
-        "of the texels of the level above that lie at most half a texel of its own beyond its "
-        "area, within one code of 8 bits or 1 part in 10^5. The Khronos tests fail it. No mean "
-        "leads there, but wide filters and those with negative weights do, and no particular "
-        "filter is required (8.14.4); beyond ruling 25 it is a violation."}}};
+        "Contested: a texel of a generated level does not lie between the least and the largest of "
+        "the texels of the level above that lie at most half a texel of its own beyond its area, "
+        "within one code of 8 bits or 1 part in 10^5. 8.14.4 computes levels by filtered "
+        "reduction, and no mean of these texels leads there. But wide filters and those with "
+        "negative weights do, and 8.14.4 requires no particular filter; OpenGL ES 3.2 says the "
+        "same. The Khronos tests (dEQP-GLES3.functional.texture.mipmap.2d.generate.*) fail such a "
+        "texel. It is a violation (ruling 25) where it leaves the range of the texels that its "
+        "area covers and of the next two on each side by more than their difference."}}};
 }
 
 Rule mipmap_rounding_rule() {

@@ -21,7 +21,7 @@ void add_textures_sources(std::map<int, RulingSource>& of) {
                 "8.14.1: the first bound only; no 8.11, 8.12, no m_u + m_v; same ideal. So in ES "
                 "the upper bound is sqrt(2) max(sum along x, sum along y) alone"};
 
-  of[20] = {.clause = "8.14.1, equation 8.7; 2.3.4.1",
+  of[20] = {.clause = "8.14.1 (Scale Factor and Level-of-Detail), equation 8.7; 2.3.4.1",
             .quotation = "λ_base(x, y) = log2[ρ(x, y)]",
             .khronos =
                 "dEQP-GLES3.functional.texture.mipmap.2d.basic.*: lodBits 8 (6 projected); "
@@ -79,7 +79,7 @@ void add_textures_sources(std::map<int, RulingSource>& of) {
   of[25] = {.clause = "8.14.4 (Manual Mipmap Generation)",
             .quotation =
                 "The contents of the derived images are computed by repeated, filtered reduction "
-                "of the level_base image",
+                "of the level_base image. ... No particular filter algorithm is required",
             .khronos =
                 "dEQP-GLES3.functional.texture.mipmap.2d.generate.* (gluTextureTestUtil.cpp): "
                 "level 0 unchanged; each level by bilinear or box within 4 bits of position; "

@@ -76,13 +76,17 @@ Rule smooth_attribute_rule() {
        "gl_FragCoord and depth are interpolated as usual, and have the same latitude; "
        "derivatives are differences of any values that fragments may have."},
       {46,
-       "Values along a line follow the sample's projection onto it (equation 14.5), and not its "
-       "coordinate on the major axis alone (on either axis if the line is as long in x as in y, "
-       "or if moves of its vertices under ruling 9 can make it so). A wide line's fragment has "
-       "no value that ruling 13 permits only for another fragment of its column. OpenGL ES lets "
-       "values of lines without multisampling follow the major axis (ES 3.2, 13.6.1): of a "
-       "renderer "
-       "that reports it they are permitted."}};
+       "Contested: a value along a line follows its coordinate on the major axis alone, and not "
+       "its projection onto the line. It may be either axis if the line is as long in x as in y, "
+       "or if moves of its vertices by less than a sub-pixel step can make it so. Or a wide line's "
+       "fragment has a value that ruling 13 permits only for another fragment of its column (row, "
+       "if y-major). Equation 14.5 takes the projection. But J.4 (October 22, 2019) says that "
+       "14.5.2.2 was changed to \"allow diagonal interpolation of input attributes, bring the "
+       "specification in line with Vulkan and shipping hardware\". The Khronos tests "
+       "(dEQP-GLES3.functional.rasterization.interpolation.*.lines, lines_wide) accept the major "
+       "axis with a warning about quality. OpenGL ES lets values of lines without multisampling "
+       "follow the major axis (ES 3.2, 13.6.1): of a renderer that reports it they are "
+       "permitted."}};
   return rule;
 }
 
@@ -130,10 +134,15 @@ Rule fragment_coordinates_rule() {
             "halves that float32 holds: any other value is a violation. gl_FragCoord.z is the "
             "fragment's depth, gl_FragCoord.w is 1/w interpolated linearly in the window."},
            {63,
-            "With GL_SAMPLE_SHADING and a share of 1, gl_FragCoord is that of the sample for which "
-            "the shader runs: x and y of another place in the pixel are contested, so is w of any "
-            "such place, and z of the place that x and y name. Where x and y are the sample's, z "
-            "is the depth of the sample, and any other is a violation."}}};
+            "Contested: with GL_SAMPLE_SHADING and a share of 1, gl_FragCoord is not that of the "
+            "sample for which the shader runs, but x and y are those of another place in the "
+            "pixel, w is that of any such place, or z is that of the place that x and y name. "
+            "14.3.1.1 evaluates all values at the sample's location. But GLSL 4.60, 7.1.5, lets "
+            "gl_FragCoord be for any location within the pixel, whatever the share, and so does "
+            "the language of OpenGL ES (7.2). The Khronos tests "
+            "(dEQP-GLES31.functional.shaders.sample_variables.sample_pos.*) read "
+            "gl_SamplePosition, and none compares gl_FragCoord with it. Where x and y are the "
+            "sample's, z is the depth of the sample, and any other is a violation."}}};
 }
 
 }  // namespace edgecase

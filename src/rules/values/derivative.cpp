@@ -177,8 +177,13 @@ Rule derivative_rule() {
        "the derivative itself. Each value is as ruling 9 permits it, and the subtraction is as "
        "inexact as any operation. Where quads begin is open."},
       {49,
-       "dFdx, dFdy and the coarse forms use neighbours among those nine pixels, and none farther "
-       "away in an area of 4x4 pixels that contains the fragment."}};
+       "Contested: dFdx, dFdy or a coarse form is the difference of two neighbours along the axis "
+       "that lie farther away than the nine pixels around the fragment, but in an area of 4x4 "
+       "pixels that contains it. GLSL 4.60, 8.14.1, takes the current fragment's neighbours, and "
+       "names a square of 2x2 as typical. But it speaks of \"a given area\" of no stated size, and "
+       "only the fine forms name immediate neighbours; the language of OpenGL ES states no area "
+       "either. The Khronos tests (dEQP-GLES3.functional.shaders.derivate.*) take neighbours "
+       "within 1 pixel for functions that are not linear, and none asks for an area's size."}};
   return rule;
 }
 

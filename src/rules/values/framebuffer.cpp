@@ -151,8 +151,12 @@ Rule depth_buffer_rule() {
         "1 to which no polygon offset was added may be kept. A pixel without fragments holds the "
         "clear value."},
        {59,
-        "A stored depth of 16 or 24 bits is none of the integers that lie one beyond those of "
-        "ruling 18."}}};
+        "Contested: a stored depth of 16 or 24 bits is one code beyond either integer next to "
+        "2^bits - 1 times the fragment's depth: the one that the renderer reports, or any that "
+        "ruling 9 permits if it reports none. 2.3.5.2 stores one of these two integers. But a "
+        "fixed-point depth reaches gl_FragCoord.z by a conversion of which 15.2.2, and OpenGL ES "
+        "3.2 in 14.2.2, ask no more than that 0 and 1 stay: the reported depth may be a code off "
+        "what was converted. No Khronos test asks the last bit of a stored depth."}}};
 }
 
 }  // namespace edgecase

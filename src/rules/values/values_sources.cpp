@@ -83,8 +83,9 @@ void add_values_sources(std::map<int, RulingSource>& of) {
 
   of[17] = {.clause = "15.2.2 (Shader Inputs); GLSL 4.60, 7.1.5",
             .quotation =
-                "this value can be for any location within the pixel, or one of the fragment "
-                "samples. The use of centroid does not further restrict",
+                "Unless otherwise specified by layout qualifiers ... the fragment processing "
+                "pixel-center convention is half-integer and the fragment processing origin "
+                "convention is lower left",
             .khronos =
                 "KHR-GL4x.*.FragCoord conventions (glcFragCoordConventionsTests.cpp): colours "
                 "from gl_FragCoord.xy compared by image; "
@@ -138,20 +139,19 @@ void add_values_sources(std::map<int, RulingSource>& of) {
                 "within 1 pixel for functions that are not linear; none asks for an area's size",
             .es = "ESSL 8.14.1: no Coarse; dFdx by \"local differencing\", of no stated area"};
 
-  of[59] = {
-      .clause = "2.3.5.2; 13.8.1 (Controlling the Viewport)",
-      .quotation =
-          "z_w may be represented using either a fixed-point or floating-point "
-          "representation",
-      .basis = Basis::contested,
-      .contest =
-          "a fixed-point depth reaches gl_FragCoord.z by a conversion, of which ES 3.2 "
-          "(14.2.2) asks no more than that 0 and 1 stay, and GL nothing: the reported depth may "
-          "be a code off what was converted",
-      .khronos = "none asks the last bit of a stored depth",
-      .es =
-          "14.2.2: the implied conversion of gl_FragCoord's depth \"must leave the values 0 "
-          "and 1 invariant\""};
+  of[59] = {.clause = "13.8.1 (Controlling the Viewport); 2.3.5.2; 15.2.2 (Shader Inputs)",
+            .quotation =
+                "z_w may be represented using either a fixed-point or floating-point "
+                "representation",
+            .basis = Basis::contested,
+            .contest =
+                "a fixed-point depth reaches gl_FragCoord.z by a conversion, of which 15.2.2 and "
+                "ES 3.2 (14.2.2) ask no more than that 0 and 1 stay: the reported depth may be a "
+                "code off what was converted",
+            .khronos = "none asks the last bit of a stored depth",
+            .es =
+                "14.2.2: the implied conversion of gl_FragCoord's depth \"must leave the values 0 "
+                "and 1 invariant\""};
 
   of[46] = {.clause = "14.5.1, equations 14.5 to 14.7; 14.5.2.2",
             .quotation = "Set t = (p_r - p_a) . (p_b - p_a) / |p_b - p_a|^2",
