@@ -66,7 +66,13 @@ void Shaper::place(Corner& corner, const Vertex* given, bool is_line) const {
     corner.y = Real(v.height / 2.0) * (Real(y) / w) + (v.y + v.height / 2.0);
     corner.depth = Real((far - near) / 2) * (Real(z) / w) + Real((near + far) / 2);
   }
-  const std::uint64_t luck = hash(hash_of(corner.x.value), hash_of(corner.y.value));
+  // 14.2: a primitive that is moved by whole pixels has the same luck, whatever the errors of its
+  // computation, up to 2^-9 pixel.
+  const auto part_of = [](double n) {
+    constexpr std::int64_t kParts = 256;
+    return static_cast<std::uint64_t>(std::llround((n - std::floor(n)) * kParts) % kParts);
+  };
+  const std::uint64_t luck = hash(part_of(corner.x.value), part_of(corner.y.value));
   corner.place = {snapped(corner.x.value, luck, is_line),
                   snapped(corner.y.value, luck >> 1, is_line)};
   if (!freedoms_.values_from_snapped) return;
@@ -204,10 +210,11 @@ bool Shaper::covers(const Piece& triangle, Place place, int index) const {
     bool owned = owns(a.y - b.y, b.x - a.x);
     if (freedoms_.tie_by_edge) {
       const auto& [low, high] = std::minmax(a, b);
-      const auto of_low =
-          hash(static_cast<std::uint64_t>(low.x), static_cast<std::uint64_t>(low.y));
-      const auto luck = hash(
-          of_low, hash(static_cast<std::uint64_t>(high.x), static_cast<std::uint64_t>(high.y)));
+      // Where it lies in its pixel, and how far the other end is: 14.2.
+      const auto of_low = hash(static_cast<std::uint64_t>(low.x) % kPixel,
+                               static_cast<std::uint64_t>(low.y) % kPixel);
+      const auto luck = hash(of_low, hash(static_cast<std::uint64_t>(high.x - low.x),
+                                          static_cast<std::uint64_t>(high.y - low.y)));
       owned = (a < b) == ((luck & 1) != 0);
     }
     if (freedoms_.crime == "a tie rule for each triangle" && index % 2 != 0) owned = !owned;

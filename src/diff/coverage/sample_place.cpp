@@ -211,7 +211,8 @@ bool is_small(const CoverageContext& context) {
 }  // namespace
 
 void note_places(const CoverageContext& context, SamplePlaces& places, Result& result) {
-  if (!have_one_place(context)) return;
+  // Samples that a case places lie elsewhere in the next.
+  if (!have_one_place(context) || !context.scene.target.sample_positions.empty()) return;
   constexpr double kTelling = 0.5;  // pixels
   using Kind = SingleThing::Kind;
   const int samples = context.scene.target.samples;
