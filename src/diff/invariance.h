@@ -30,7 +30,8 @@ struct SceneImage {
 
 // The images of a scene about which the specification speaks:
 //
-//   moved     by whole pixels (14.2), for scenes of one sample whose primitives lie in the target.
+//   moved     by whole pixels (14.2), for scenes of one sample whose primitives lie in the target
+//             and are not divided by w.
 //             Both scenes have a target of 64 or 128 pixels, whose window coordinates float32 holds
 //             exactly, so that no rounding differs.
 //   masked    with all colours masked and another clear colour (A.3, rule 2)

@@ -230,7 +230,8 @@ bool Shaper::point_covers(const Shape& shape, Place place) const {
       shape.draw->point_size.raw() +
       (freedoms_.crime == "points a step larger" ? 2 * (kPixel >> freedoms_.bits) + 2 : 0);
   const bool closed =
-      (hash(static_cast<std::uint64_t>(at.x), static_cast<std::uint64_t>(at.y)) & 1) != 0;
+      (hash(static_cast<std::uint64_t>(at.x) % kPixel, static_cast<std::uint64_t>(at.y) % kPixel) &
+       1) != 0;
   for (const auto& [off, tie] : {std::array{place.x - at.x, std::int64_t{freedoms_.tie_x}},
                                  std::array{place.y - at.y, std::int64_t{freedoms_.tie_y}}}) {
     const std::int64_t beyond = 2 * std::abs(off) - size;
