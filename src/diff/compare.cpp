@@ -101,13 +101,21 @@ bool asks_for_hypotheses(const Result& result) {
 
 constexpr int kRulingOnImages = 67;
 
+// What is drawn in the larger target of an image may lie beyond the scene's own: it is told at the
+// nearest pixel.
 void report_variances(const Rendering& rendered, Result& result) {
   for (const Variance& variance : rendered.variances) {
+    const auto [x, y] = variance.pixel;
+    const PixelPosition nearest{std::clamp(x, 0, rendered.width - 1),
+                                std::clamp(y, 0, rendered.height - 1)};
     const DisagreementClass of =
         value_class(variance.primitive, RuleId::fragment_invariant, kRulingOnImages);
-    if (Disagreement* const d = add_disagreement(result, variance.pixel, of)) {
-      d->figure = value_figure(variance.pixel);
-      d->explanation = fmt::format("{}. Ruling {}", variance.what, kRulingOnImages);
+    if (Disagreement* const d = add_disagreement(result, nearest, of)) {
+      d->figure = value_figure(nearest);
+      d->explanation = fmt::format(
+          "{}{}. Ruling {}", variance.what,
+          nearest == variance.pixel ? "" : fmt::format(", at ({}, {}), beyond the target", x, y),
+          kRulingOnImages);
     }
   }
 }

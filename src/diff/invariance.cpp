@@ -2,6 +2,7 @@
 #include "diff/invariance.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>

@@ -19,6 +19,7 @@
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "rules/choices.h"
+#include "rules/coverage/window.h"
 
 namespace edgecase {
 namespace {
@@ -29,17 +30,21 @@ std::size_t speaking_for_best(const RuleAnswers& answers) {
   return answers.asked - *std::ranges::min_element(answers.against);
 }
 
-// The best alternative: `current` if none is better.
-std::string best_of(const RuleAnswers& answers, const std::string& current) {
+// The best alternative: `current` if none is better; of several, a grid of the reported bits.
+std::string best_of(const RuleAnswers& answers, const std::string& current, int subpixel_bits) {
   const auto& alternatives = rule_of(answers.rule).alternatives;
   const std::size_t best = speaking_for_best(answers);
   std::optional<std::string> first;
+  std::optional<std::string> reported;
   for (std::size_t i = 0; i < alternatives.size(); ++i) {
+    const std::string& name = alternatives[i].name;
     if (answers.speaking_for(i) != best) continue;
-    if (alternatives[i].name == current) return current;
-    if (!first) first = alternatives[i].name;
+    if (name == current) return current;
+    if (!first) first = name;
+    const Snap* const grid = find_snap(name);
+    if (!reported && grid != nullptr && grid->bits == subpixel_bits) reported = name;
   }
-  return *first;
+  return reported ? *reported : *first;
 }
 
 std::string chosen_of(const Choices& choices, RuleId rule) {
@@ -195,7 +200,8 @@ Choices spoken_for(const Gathered& gathered, const Choices& before) {
   Choices choices = before;
   for (const RuleAnswers& answers : gathered.rules.answers())
     if (speaking_for_best(answers) > 0)
-      choices[name_of(answers.rule)] = best_of(answers, chosen_of(before, answers.rule));
+      choices[name_of(answers.rule)] =
+          best_of(answers, chosen_of(before, answers.rule), gathered.renderer.subpixel_bits);
   return choices;
 }
 
@@ -276,11 +282,12 @@ SurfaceProfile profile_of(Surface surface, const Gathered& gathered) {
 }
 
 // What is known of a surface; `last`: the choices of the last round.
-Choices known_of(const SurfaceProfile& surface, const Choices& last) {
+Choices known_of(const SurfaceProfile& surface, const Choices& last, int subpixel_bits) {
   Choices choices;
   for (const RuleAnswers& answers : surface.rules)
     if (remaining_of(answers) != kNoneKnown)
-      choices[name_of(answers.rule)] = best_of(answers, chosen_of(last, answers.rule));
+      choices[name_of(answers.rule)] =
+          best_of(answers, chosen_of(last, answers.rule), subpixel_bits);
   return choices;
 }
 
@@ -363,7 +370,9 @@ Profile measure(const CaseStore& cases, const MakeRenderer& make_renderer,
     profile.rounds = std::max(profile.rounds, asked);
     if (profile.surfaces.empty()) profile.renderer = gathered.renderer;
     profile.surfaces.push_back(profile_of(surface, gathered));
-    add_choices(surface, known_of(profile.surfaces.back(), policy.rules), profile.policy);
+    add_choices(surface,
+                known_of(profile.surfaces.back(), policy.rules, gathered.renderer.subpixel_bits),
+                profile.policy);
   }
   profile.renderer.name = options.name;
   return profile;

@@ -121,7 +121,9 @@ Found found_in_bands(const Scene& scene, const Rendering& exact, const Rendering
 TEST(GrossFaults, AreJudgedAsIfEachDisagreementWereInFull) {
   for (const int samples : {1, 4}) {
     const Scene scene = two_triangles(samples);
-    const Rendering exact = rasterize(scene, Policy{});
+    Rendering exact = rasterize(scene, Policy{});
+    // Whoever reports places has each sample at one (ruling 65), which bands do not know.
+    exact.sample_positions.clear();
     for (const Rendering& rendered :
          {without_fragments(exact), stray(scene, exact, 1), stray(scene, exact, 2)}) {
       const Result result = judged(scene, rendered);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+#include "diff/compare.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
 #include "tests/raster/random_scenes.h"
@@ -72,6 +73,28 @@ TEST(Invariance, AFragmentThatIsLostOnTheWayIsFound) {
   EXPECT_EQ(found[0].primitive, 0);
   found = variances_of(image, second, first);  // each where the other is not
   EXPECT_FALSE(found.empty());
+}
+
+// The targets of what is moved are larger than that of the scene.
+TEST(Invariance, WhatIsDrawnBeyondTheTargetIsToldAtItsBorder) {
+  const Scene scene = triangle();
+  const auto images = images_of(scene);
+  const SceneImage& image = image_with(images, "moved");
+  const Rendering first = drawn(*image.first);
+  Rendering second = drawn(image.second);
+  Fragment far = second.fragments.back();
+  far.x = image.right - 2;
+  far.y = image.up + 40;
+  second.fragments.push_back(far);
+  Rendering own = drawn(scene);
+  own.variances = variances_of(image, first, second);
+  const Result result = compare(scene, Policy{}, drawn(scene), own, {});
+  ASSERT_EQ(result.disagreements.size(), 1u);
+  EXPECT_EQ(result.disagreements[0].x, 0);
+  EXPECT_EQ(result.disagreements[0].y, 7);
+  EXPECT_NE(result.disagreements[0].explanation.find("at (-2, 40), beyond the target"),
+            std::string::npos)
+      << result.disagreements[0].explanation;
 }
 
 TEST(Invariance, AValueThatDependsOnTheMaskIsFound) {

@@ -5,11 +5,13 @@ forbids, a crime: each is convicted, of the rule that it breaks, and no known fa
 excuses it.
 """
 import collections
+import json
+import re
 import subprocess
 import unittest
 
 from suite_data import IS_QUICK, NUMBER, in_share, shard
-from support import BIN, PROBES, SUITE, CommandTest, environment, only_result
+from support import BIN, PROBES, ROOT, SUITE, CommandTest, environment, only_result
 
 PROGRAM = str(BIN / "edgecase-adversary")
 
@@ -110,6 +112,28 @@ class Adversaries(CommandTest):
                 new = [case for case in cases if only_result(case)["standing"] == "unexpected"]
                 found = collections.Counter(rule for _, rule, _ in violations(new))
                 self.assertTrue(rules & set(found), f"{name}: {found}")
+
+    def test_the_core_convicts_each_crime(self):
+        names = list(CRIMES)[NUMBER % 8::8] if IS_QUICK else in_share(CRIMES)
+        for name in names:
+            with self.subTest(name):
+                found = [only_result(case)["verdict"]
+                         for case in self.judged(name, SUITE, "--suite", "core")]
+                self.assertIn("violation", found)
+
+    def test_the_core_shows_each_known_fault(self):
+        """Those of which this release's count is known; but for places of samples, which take the
+        answers to many more cases (ruling 65)."""
+        drivers = DRIVERS[:3]
+        against = [word for driver in drivers for word in ("--against", f"egl:{driver}")]
+        results = self.results(SUITE, "--suite", "core", *against)
+        seen = {(fault["renderer"], fault["id"]) for fault in results["faults"] if fault["cases"]}
+        for driver, renderer in zip(drivers, results["renderers"]):
+            release = re.search(r"Mesa \S+", renderer["version"])[0]
+            known = json.loads((ROOT / f"cases/known/{driver}.json").read_text("utf-8"))["faults"]
+            for fault in known:
+                if release in fault.get("cases_on", {}) and fault.get("rule") != "sample.positions":
+                    self.assertIn((f"egl:{driver}", fault["id"]), seen)
 
 
 if __name__ == "__main__":

@@ -307,6 +307,9 @@ def answers(behaviour, truths, victim):
     for count, line in enumerate(sys.stdin, 1):
         request = json.loads(line)
         truth = truths.get(request["id"])
+        if truth is None and behaviour in LIARS:  # an image of a scene
+            yield {"digest": request["digest"], "not_run": "a scene without a truth"}
+            continue
         if behaviour == "third" and count == 3:
             die()
         if behaviour in LIARS:

@@ -88,6 +88,16 @@ PixelBounds pixels_inside(const ScenePrimitive& primitive, const Latitudes& lati
   return common_part(inside, *near);
 }
 
+// Of large primitives some pixels are asked: fewer forbid no more.
+int step_through(const PixelBounds& pixels) {
+  constexpr std::int64_t kMost = 16'384;
+  const std::int64_t area = (std::int64_t{pixels.x_max} - pixels.x_min + 1) *
+                            (std::int64_t{pixels.y_max} - pixels.y_min + 1);
+  int step = 1;
+  while (area > kMost * step * step) ++step;
+  return step;
+}
+
 class PlaceSearch {
  public:
   PlaceSearch(const CoverageContext& context, int sample, Fixed least) : least_(least) {
@@ -110,13 +120,14 @@ class PlaceSearch {
     const PrimitiveCoverage& coverage = context.coverage[static_cast<std::size_t>(primitive.index)];
     const std::vector<PixelPosition>& drawn = coverage.drawn[static_cast<std::size_t>(sample)];
     const SupportedSizes sizes = sizes_that_excuse(primitive, coverage, context);
-    const LoosePrimitive& loose =
-        primitives_.emplace_back(primitive, latitudes_of(primitive, context.bits, sizes));
+    const LoosePrimitive& loose = primitives_.emplace_back(
+        LoosePrimitive{primitive, latitudes_of(primitive, context.bits, sizes)});
     const PixelBounds inside = pixels_inside(primitive, loose.latitudes, context.scene.target);
+    const int step = step_through(inside);
     constexpr Square kEverywhere{{kHalfPixel, kHalfPixel}, Fixed::from_raw(3 * Fixed::kOne / 2)};
-    for (int y = inside.y_min; y <= inside.y_max; ++y) {
+    for (int y = inside.y_min; y <= inside.y_max; y += step) {
       Patience::check();
-      for (int x = inside.x_min; x <= inside.x_max; ++x) {
+      for (int x = inside.x_min; x <= inside.x_max; x += step) {
         const bool is_covered = hits_at(drawn, {x, y}) > 0;
         if (loose.may_be(!is_covered, {x, y}, kEverywhere))
           observations_.push_back({&loose, {x, y}, is_covered});

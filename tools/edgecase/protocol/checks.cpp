@@ -2,6 +2,7 @@
 #include "tools/edgecase/protocol/checks.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

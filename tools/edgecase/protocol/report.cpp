@@ -2,6 +2,7 @@
 #include "tools/edgecase/protocol/report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
