@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -54,13 +53,6 @@ Course random_course(RandomSource& random) {
          : share < 9  ? Course::wandering
          : share < 15 ? Course::turning
                       : Course::back;
-}
-
-bool spans_at_most(const std::vector<Point>& points, std::int64_t most) {
-  for (const Point& p : points)
-    for (const Point& q : points)
-      if ((p - q).x > most || (p - q).y > most) return false;
-  return true;
 }
 
 // The first joint is at a place of pixel (0, 0), where a segment's end is usually a tie.
@@ -124,21 +116,15 @@ namespace {
 // Generators of one seed with different purposes are independent.
 constexpr std::uint64_t kFanStream = 0x6200;
 
-// Vertices in the order of a fan or a strip, or of separate triangles.
-struct Mesh {
-  Primitive primitive = Primitive::triangle_fan;
-  std::vector<Point> vertices;
-};
-
 // A hub and the vertices round it, counter-clockwise. In a closed fan the last vertex repeats the
 // first.
-Mesh random_fan(RandomSource& random, const Frame& frame, std::int64_t step) {
+TriangleMesh random_fan(RandomSource& random, const Frame& frame, std::int64_t step) {
   const bool is_closed = random.one_in(2);
   const std::int64_t spokes = is_closed ? random.between(3, 8) : random.between(2, 6);
   const std::int64_t most = std::max(frame.most / 2, 2 * step);
   const Point hub =
       random.one_in(8) ? random_point(random, random_grid(random)) : pixel_centre(0, 0);
-  Mesh mesh{Primitive::triangle_fan, {hub}};
+  TriangleMesh mesh{Primitive::triangle_fan, {hub}};
   const std::int64_t first = random.below(kLineDirections);
   for (std::int64_t i = 0; i < spokes; ++i) {
     // Sixteenths of a turn: spread evenly in a closed fan, adjacent otherwise.
@@ -152,13 +138,13 @@ Mesh random_fan(RandomSource& random, const Frame& frame, std::int64_t step) {
 }
 
 // A long spoke with a few others near it, from a pixel down to 2^-16 away.
-Mesh random_slivers(RandomSource& random, const Frame& frame, std::int64_t step) {
+TriangleMesh random_slivers(RandomSource& random, const Frame& frame, std::int64_t step) {
   const Point hub = pixel_centre(0, 0);
   const RawVector spoke =
       random_vector(random, random.between(std::min(kOne, frame.most), frame.most - kOne), step);
   const bool is_flat = std::abs(spoke.x) >= std::abs(spoke.y);
   std::int64_t aside = -random.log_uniform(15);
-  Mesh mesh{Primitive::triangle_fan, {hub}};
+  TriangleMesh mesh{Primitive::triangle_fan, {hub}};
   const std::int64_t count = random.between(2, 5);
   for (std::int64_t i = 0; i < count; ++i) {
     mesh.vertices.push_back(hub + spoke + (is_flat ? RawVector{0, aside} : RawVector{aside, 0}));
@@ -170,20 +156,20 @@ Mesh random_slivers(RandomSource& random, const Frame& frame, std::int64_t step)
 }
 
 // Two rows of vertices, shifted by half a step against each other.
-Mesh random_strip(RandomSource& random, const Frame& frame, std::int64_t step) {
+TriangleMesh random_strip(RandomSource& random, const Frame& frame, std::int64_t step) {
   const std::int64_t triangles = random.between(2, 8);
   const std::int64_t runs = triangles / 2 + 1;
   const RawVector run = random_vector(random, frame.most / (2 * runs), step);
   const RawVector rise = random_vector(random, frame.most / 2, step);
   const Point start = pixel_centre(0, 0);
-  Mesh mesh{Primitive::triangle_strip, {}};
+  TriangleMesh mesh{Primitive::triangle_strip, {}};
   for (std::int64_t i = 0; i < triangles + 2; ++i)
     mesh.vertices.push_back(start + (i / 2) * run + (i % 2) * rise);
   return mesh;
 }
 
 // One triangle, and two on the other side of its edge that share a vertex on it.
-Mesh random_t_junction(RandomSource& random, const Frame& frame, std::int64_t step) {
+TriangleMesh random_t_junction(RandomSource& random, const Frame& frame, std::int64_t step) {
   const std::int64_t before = random.between(1, 3);
   const std::int64_t after = random.between(1, 3);
   const RawVector part = random_vector(random, frame.most / (before + after) / 2, step);
@@ -198,7 +184,7 @@ Mesh random_t_junction(RandomSource& random, const Frame& frame, std::int64_t st
   return {Primitive::triangles, {a, b, left, a, junction, right, junction, b, right}};
 }
 
-Mesh random_mesh(RandomSource& random, const Frame& frame, std::int64_t step) {
+TriangleMesh random_mesh(RandomSource& random, const Frame& frame, std::int64_t step) {
   switch (random.below(8)) {
     case 0:
       return random_slivers(random, frame, step);
@@ -212,11 +198,11 @@ Mesh random_mesh(RandomSource& random, const Frame& frame, std::int64_t step) {
   }
 }
 
-Mesh fitting_mesh(RandomSource& random, const Frame& frame) {
+TriangleMesh fitting_mesh(RandomSource& random, const Frame& frame) {
   for (;;) {
     const Theme theme = random_theme(random);
     const std::int64_t step = std::min(step_of(random, theme), kOne / 2);
-    Mesh mesh = random_mesh(random, frame, step);
+    TriangleMesh mesh = random_mesh(random, frame, step);
     if (!spans_at_most(mesh.vertices, frame.most)) continue;
     shift_inside(random, frame.target, mesh.vertices);
     if (theme != Theme::near_tie) return mesh;
@@ -234,36 +220,13 @@ Mesh fitting_mesh(RandomSource& random, const Frame& frame) {
   }
 }
 
-// The triangles separately, in any order, each starting at any vertex with either winding.
-Mesh separated(RandomSource& random, const Mesh& mesh) {
-  std::vector<std::array<Point, 3>> triangles;
-  const std::vector<Point>& v = mesh.vertices;
-  if (mesh.primitive == Primitive::triangles)
-    for (std::size_t i = 0; i + 2 < v.size(); i += 3)
-      triangles.push_back({v[i], v[i + 1], v[i + 2]});
-  else
-    for (std::size_t i = 2; i < v.size(); ++i)
-      triangles.push_back(
-          {mesh.primitive == Primitive::triangle_fan ? v[0] : v[i - 2], v[i - 1], v[i]});
-  Mesh result{Primitive::triangles, {}};
-  while (!triangles.empty()) {
-    const auto next = triangles.begin() + random.below(static_cast<std::int64_t>(triangles.size()));
-    std::array<Point, 3> triangle = *next;
-    triangles.erase(next);
-    std::rotate(triangle.begin(), triangle.begin() + random.below(3), triangle.end());
-    if (random.one_in(2)) std::swap(triangle[0], triangle[1]);
-    result.vertices.insert(result.vertices.end(), triangle.begin(), triangle.end());
-  }
-  return result;
-}
-
 }  // namespace
 
 Scene random_fan_scene(std::uint64_t seed, Surface surface, std::uint64_t index) {
   RandomSource random(seed, kFanStream, index);
   // Triangles on all sides of a vertex need room.
   const Frame frame = with_room(random_frame(random, kMostCompoundTarget));
-  Mesh mesh = fitting_mesh(random, frame);
+  TriangleMesh mesh = fitting_mesh(random, frame);
   if (random.one_in(3)) mesh = separated(random, mesh);
   return scene_of(surface, frame.target, mesh.primitive, mesh.vertices);
 }

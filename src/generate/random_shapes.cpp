@@ -195,6 +195,13 @@ void shift_inside(RandomSource& random, int target, std::span<Point> points) {
   for (Point& point : points) point = point + RawVector{dx, dy};
 }
 
+bool spans_at_most(std::span<const Point> points, std::int64_t most) {
+  for (Point p : points)
+    for (Point q : points)
+      if ((p - q).x > most || (p - q).y > most) return false;
+  return true;
+}
+
 void nudge(RandomSource& random, int finest, int target, std::span<Point> points) {
   const std::int64_t step = kOne >> random.between(4, finest);
   // Eighths of a step; most often halves, where roundings differ.
@@ -217,6 +224,28 @@ Theme random_theme(RandomSource& random) {
 
 std::int64_t step_of(RandomSource& random, Theme theme) {
   return theme == Theme::near_tie ? kOne >> random.between(1, 4) : random_step(random);
+}
+
+TriangleMesh separated(RandomSource& random, const TriangleMesh& mesh) {
+  std::vector<std::array<Point, 3>> triangles;
+  const std::vector<Point>& v = mesh.vertices;
+  if (mesh.primitive == Primitive::triangles)
+    for (std::size_t i = 0; i + 2 < v.size(); i += 3)
+      triangles.push_back({v[i], v[i + 1], v[i + 2]});
+  else
+    for (std::size_t i = 2; i < v.size(); ++i)
+      triangles.push_back(
+          {mesh.primitive == Primitive::triangle_fan ? v[0] : v[i - 2], v[i - 1], v[i]});
+  TriangleMesh result{Primitive::triangles, {}};
+  while (!triangles.empty()) {
+    const auto next = triangles.begin() + random.below(static_cast<std::int64_t>(triangles.size()));
+    std::array<Point, 3> triangle = *next;
+    triangles.erase(next);
+    std::rotate(triangle.begin(), triangle.begin() + random.below(3), triangle.end());
+    if (random.one_in(2)) std::swap(triangle[0], triangle[1]);
+    result.vertices.insert(result.vertices.end(), triangle.begin(), triangle.end());
+  }
+  return result;
 }
 
 }  // namespace edgecase

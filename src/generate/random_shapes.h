@@ -32,6 +32,9 @@ constexpr Point operator-(Point p, RawVector v) {
 constexpr RawVector operator-(Point p, Point q) {
   return {p.x.raw() - q.x.raw(), p.y.raw() - q.y.raw()};
 }
+constexpr RawVector operator+(RawVector a, RawVector b) {
+  return {a.x + b.x, a.y + b.y};
+}
 constexpr RawVector operator*(std::int64_t n, RawVector v) {
   return {n * v.x, n * v.y};
 }
@@ -97,6 +100,9 @@ Point random_point(RandomSource& random, const Grid& grid);
 Point random_neighbour(RandomSource& random, Point a, Point b, std::int64_t size,
                        std::int64_t step);
 
+// Whether a square of raw width `most` can hold the points.
+bool spans_at_most(std::span<const Point> points, std::int64_t most);
+
 // Shifts points by whole pixels so that all lie strictly inside the target. They must span at most
 // Frame::most.
 void shift_inside(RandomSource& random, int target, std::span<Point> points);
@@ -115,6 +121,15 @@ Theme random_theme(RandomSource& random);
 
 // The step of a tie's vertices: one that nudges do not hide.
 std::int64_t step_of(RandomSource& random, Theme theme);
+
+// Vertices in the order of a fan or a strip, or of separate triangles.
+struct TriangleMesh {
+  Primitive primitive = Primitive::triangle_fan;
+  std::vector<Point> vertices;
+};
+
+// The triangles separately, in any order, each starting at any vertex with either winding.
+TriangleMesh separated(RandomSource& random, const TriangleMesh& mesh);
 
 // The points of each kind of primitive.
 struct RandomPoint {

@@ -50,13 +50,6 @@ Point third_vertex(RandomSource& random, const Frame& frame, const Edge& edge, s
                                                 : foot + RawVector{off, 0};
 }
 
-bool spans_at_most(std::span<const Point> points, std::int64_t most) {
-  for (Point p : points)
-    for (Point q : points)
-      if ((p - q).x > most || (p - q).y > most) return false;
-  return true;
-}
-
 struct EdgeOfTheme {
   Edge edge;
   std::int64_t step;

@@ -15,6 +15,7 @@
 #include "generate/clip_scenes.h"
 #include "generate/grids.h"
 #include "generate/random_scenes.h"
+#include "generate/seam_scenes.h"
 #include "generate/texture_scenes.h"
 #include "generate/value_scenes.h"
 #include "rules/samples/sample_placement.h"
@@ -177,6 +178,12 @@ std::span<const Family> all_families() {
        true,
        true,
        shared_edge_scene},
+      {"seams",
+       "edges of triangles that pass pixel centres at 1 to 3 units of grids of 4 to 16 bits",
+       {RuleId::triangle_shared_edge, RuleId::triangle_fill_rule, RuleId::triangle_algorithm},
+       true,
+       true,
+       seam_scene},
       {"triangles",
        "triangles, down to slivers",
        {RuleId::triangle_fill_rule, RuleId::triangle_algorithm, RuleId::triangle_snap,

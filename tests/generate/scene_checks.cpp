@@ -52,9 +52,9 @@ CoverageChoice all_boundaries(const char* name) {
 
 }  // namespace
 
-std::string fault_of(const Scene& scene) {
+std::string fault_of(const Scene& scene, int most) {
   const int size = scene.target.width;
-  if (scene.target.height != size || size < 4 || size > 256 ||
+  if (scene.target.height != size || size < 4 || size > most ||
       !std::has_single_bit(static_cast<unsigned>(size)))
     return fmt::format("target {}x{}", size, scene.target.height);
   const Viewport& viewport = scene.viewport;

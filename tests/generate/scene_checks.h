@@ -13,8 +13,8 @@
 namespace edgecase {
 
 // What is wrong with a scene's target, viewport and vertices; empty when nothing is. The target is
-// a square power of two from 4 to 256, the viewport as large, every vertex strictly inside.
-std::string fault_of(const Scene& scene);
+// a square power of two from 4 to `most`, the viewport as large, every vertex strictly inside.
+std::string fault_of(const Scene& scene, int most = 256);
 
 // Whether a tie decides a pixel or sample of the scene: some primitive covers different ones with
 // all boundaries open than with all closed. Vertices are not snapped; lines follow the diamond-exit

@@ -106,6 +106,22 @@ TEST(Fuzz, FindsATearInASharedEdge) {
   EXPECT_THAT(report.finds.front().key.geometry, "triangle");
 }
 
+TEST(Fuzz, FindsEdgeFunctionsInSinglePrecisionAndNamesThem) {
+  Policy policy;
+  policy.rules["triangle.algorithm"] = "float-edges";
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    FuzzOptions options = few({"seams"}, 80);
+    options.seed = seed;
+    options.least = Verdict::violation;
+    const FuzzReport report = fuzz({altered(nullptr, policy)}, options);
+    ASSERT_FALSE(report.finds.empty()) << seed;
+    const Find& find = report.finds.front();
+    EXPECT_EQ(find.verdict, Verdict::violation);
+    EXPECT_EQ(find.key.signature.rule, "triangle.shared-edge");
+    EXPECT_EQ(find.key.signature.cause, "triangle.algorithm=float-edges");
+  }
+}
+
 TEST(Fuzz, NamesTheCauseThatTheWholeRunSpeaksFor) {
   Policy policy;
   policy.rules["triangle.fill-rule"] = "right-top";
