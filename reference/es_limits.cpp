@@ -2,7 +2,8 @@
 #include "reference/es_limits.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "model/side_clipping.h"
 
 namespace edgecase {
 
@@ -51,42 +52,6 @@ std::string texture_use_beyond_es(const Texture& texture, const Sampler& sampler
   return "";
 }
 
-// Whether only the near and the far plane can clip the vertex.
-bool is_between_sides(const Vertex& vertex, const Viewport& viewport) {
-  if (vertex.clip) {
-    const ClipPosition& clip = *vertex.clip;
-    return std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
-  }
-  const double x = vertex.position.x.to_double() - viewport.x;
-  const double y = vertex.position.y.to_double() - viewport.y;
-  return x >= 0 && x <= viewport.width && y >= 0 && y <= viewport.height;
-}
-
-// Whether pixels of the target near a position may be beyond the viewport, along one axis.
-bool may_leave(double place, double reach, int origin, int size, int target_size) {
-  const int end = origin + size;
-  return (origin > 0 && place - reach < origin) || (end < target_size && place + reach > end);
-}
-
-std::string sides_beyond_es(const Draw& draw, const Scene& scene) {
-  const PrimitiveKind kind = kind_of(draw.primitive);
-  if (kind == PrimitiveKind::triangle) return "";
-  const Fixed thickness = kind == PrimitiveKind::point ? draw.point_size : draw.line_width;
-  // Half of the thickness, plus the effect of rounding and of moving to whole pixels.
-  const double reach = thickness.to_double() / 2 + 1;
-  const Viewport& viewport = scene.viewport;
-  const auto is_inside = [&](const Vertex& vertex) {
-    return is_between_sides(vertex, viewport) &&
-           !may_leave(vertex.position.x.to_double(), reach, viewport.x, viewport.width,
-                      scene.target.width) &&
-           !may_leave(vertex.position.y.to_double(), reach, viewport.y, viewport.height,
-                      scene.target.height);
-  };
-  if (std::all_of(draw.vertices.begin(), draw.vertices.end(), is_inside)) return "";
-  return "OpenGL ES does not say what is drawn of points and lines beyond the viewport: it clips "
-         "them at the near and the far plane alone";
-}
-
 std::string draw_beyond_es(const Draw& draw, const Scene& scene, const EsFeatures& features) {
   // A point has one vertex.
   if (draw.provoking_vertex == ProvokingVertex::first &&
@@ -106,7 +71,7 @@ std::string draw_beyond_es(const Draw& draw, const Scene& scene, const EsFeature
                                                     draw.texture->sampler, features);
         !problem.empty())
       return problem;
-  return sides_beyond_es(draw, scene);
+  return "";
 }
 
 }  // namespace
@@ -133,7 +98,7 @@ std::string beyond_es(const Scene& scene, const EsFeatures& features) {
   for (const Draw& draw : scene.draws)
     if (std::string problem = draw_beyond_es(draw, scene, features); !problem.empty())
       return problem;
-  return "";
+  return SceneOfApi(scene, true).is_exact() ? "" : kBeyondExactSides;
 }
 
 }  // namespace edgecase

@@ -4,11 +4,9 @@
 // scene gets a sentence and no rendering: any substitute would be judged by rules that it does not
 // follow.
 //
-// Features of both APIs have the same specification, with one exception. OpenGL clips points and
-// lines at all six planes of the clip volume. OpenGL ES clips them at the near and the far plane
-// only, and does not define what is drawn of them beyond the viewport. Both clip triangles at all
-// planes. So points and lines that are not entirely in the viewport are not drawn here, unless the
-// target ends there as well and all centres are inside.
+// Features of both APIs have the same specification, with one exception that scenes can show:
+// OpenGL ES does not clip points and lines at the viewport's sides (model/side_clipping.h). They
+// are drawn and compared by its own rules, except where those lead beyond exact coordinates.
 #pragma once
 
 #include <glad/gl.h>

@@ -137,8 +137,8 @@ function sidesLimit(draw, scene) {
     [0, 1].every((axis) =>
       !mayLeave(vertex.position[axis], reach, viewport[axis], viewport[axis + 2], sizes[axis]));
   if (draw.vertices.every(isInside)) return "";
-  return "OpenGL ES does not say what is drawn of points and lines beyond the viewport: it clips " +
-    "them at the near and the far plane alone";
+  return "points and lines beyond the viewport are not asked of WebGL: it lets browsers discard " +
+    "such points, which OpenGL ES does not";
 }
 
 /** @param {Draw} draw @param {Target} target @param {Limits} limits */

@@ -29,6 +29,7 @@
 #include "rules/all_rules.h"
 #include "rules/choices.h"
 #include "rules/coverage/clip_volume.h"
+#include "rules/coverage/point_ownership.h"
 #include "rules/coverage/window.h"
 #include "rules/hypotheses.h"
 #include "rules/renderer_claims.h"
@@ -86,8 +87,21 @@ bool has_one_cause(const Result& result) {
   return !is_first;
 }
 
-// True unless all that differs may be an open choice, which says nothing about a fault.
+// True if all that differs is drawn as the other of OpenGL and OpenGL ES has it.
+bool is_of_other_api(const Result& result) {
+  static const Cause ways[] = {
+      alternative_id(RuleId::point_clip, name_of(PointClip::of_other_api)),
+      alternative_id(RuleId::line_clip, name_of(LineClip::of_other_api))};
+  return !result.evidence.empty() &&
+         std::ranges::all_of(result.evidence, [](const Result::Evidence& evidence) {
+           return std::ranges::find_first_of(evidence.causes, ways) != evidence.causes.end();
+         });
+}
+
+// True unless all that differs may be an open choice, or the other API's, which says nothing about
+// a fault.
 bool asks_for_hypotheses(const Result& result) {
+  if (is_of_other_api(result)) return false;
   const auto has_no_open_cause = [](const Result::Evidence& evidence) {
     return std::ranges::none_of(evidence.causes,
                                 [](const Cause& cause) { return is_open_choice(cause); });

@@ -49,13 +49,32 @@ RationalClip between(const RationalClip& from, const RationalClip& to, const Rat
   return {mixed(from.x, to.x), mixed(from.y, to.y), mixed(from.z, to.z), mixed(from.w, to.w)};
 }
 
-std::optional<VisiblePart> visible_part(const RationalClip& from, const RationalClip& to) {
+namespace {
+
+VisiblePart part_inside(const RationalClip& from, const RationalClip& to, bool sides) {
   VisiblePart part;
-  for (const Rational RationalClip::*axis :
-       {&RationalClip::x, &RationalClip::y, &RationalClip::z}) {
+  const auto clip_at = [&](const Rational RationalClip::*axis) {
     keep_inside(from.w + from.*axis, to.w + to.*axis, part);
     keep_inside(from.w - from.*axis, to.w - to.*axis, part);
+  };
+  clip_at(&RationalClip::z);
+  if (sides) {
+    clip_at(&RationalClip::x);
+    clip_at(&RationalClip::y);
   }
+  return part;
+}
+
+}  // namespace
+
+bool is_partly_inside(const RationalClip& from, const RationalClip& to, bool sides) {
+  const VisiblePart part = part_inside(from, to, sides);
+  return part.from < part.to;
+}
+
+std::optional<VisiblePart> visible_part(const RationalClip& from, const RationalClip& to,
+                                        bool sides) {
+  VisiblePart part = part_inside(from, to, sides);
   if (part.from >= part.to) return std::nullopt;
   // The eye itself, where all four coordinates are 0, has no position in the window.
   if (between(from, to, part.from).w <= 0 || between(from, to, part.to).w <= 0) return std::nullopt;

@@ -32,6 +32,10 @@ bool is_in_clip_volume(const ClipPosition& clip) {
          std::fabs(clip.z) <= clip.w;
 }
 
+bool is_between_near_and_far(const ClipPosition& clip) {
+  return clip.w > 0 && std::fabs(clip.z) <= clip.w;
+}
+
 double unit_of(const ClipPosition& clip) {
   const float largest =
       std::max({std::fabs(clip.x), std::fabs(clip.y), std::fabs(clip.z), std::fabs(clip.w)});
@@ -130,24 +134,29 @@ Assembled assemble(Primitive primitive, std::size_t i, std::size_t vertices) {
   return {};
 }
 
-void place_vertex(ScenePrimitive& primitive, std::size_t at, const Vertex& vertex,
-                  const Viewport& viewport) {
+bool is_passed(const ScenePrimitive& primitive, const ClipPosition& clip) {
+  const bool at_sides = primitive.clips_sides || primitive.kind == PrimitiveKind::triangle;
+  return at_sides ? is_in_clip_volume(clip) : is_between_near_and_far(clip);
+}
+
+void place_vertex(ScenePrimitive& primitive, std::size_t at) {
+  const Vertex& vertex = *primitive.vertices[at];
   if (!vertex.clip) {
     primitive.positions[at] = homogeneous(vertex.position);
     primitive.z[at] = vertex.z.raw();
     return;
   }
-  primitive.positions[at] = window_position(*vertex.clip, viewport);
+  primitive.positions[at] = window_position(*vertex.clip, primitive.viewport);
   primitive.units[at] = unit_of(*vertex.clip);
   primitive.z[at] = 2 * in_units(vertex.clip->z, primitive.units[at]);
-  primitive.is_clipped = primitive.is_clipped || !is_in_clip_volume(*vertex.clip);
+  primitive.is_clipped = primitive.is_clipped || !is_passed(primitive, *vertex.clip);
 }
 
-// Cuts a line with a vertex outside the clip volume to the part inside.
+// Cuts a line with a vertex outside the planes that clip it to the part inside.
 void cut(ScenePrimitive& line) {
   const RationalClip from = rational_clip(*line.vertices[0], line.viewport);
   const RationalClip to = rational_clip(*line.vertices[1], line.viewport);
-  const auto part = visible_part(from, to);
+  const auto part = visible_part(from, to, line.clips_sides);
   if (!part) return;
   const auto start = window_place(between(from, to, part->from), line.viewport);
   const auto end = window_place(between(from, to, part->to), line.viewport);
@@ -156,6 +165,14 @@ void cut(ScenePrimitive& line) {
   line.positions[1] = *end;
   line.is_clipped = false;
   line.is_cut = true;
+}
+
+// Gives a primitive that has its vertices their positions, or those of what clipping leaves.
+void place(ScenePrimitive& primitive) {
+  primitive.is_clipped = primitive.is_cut = false;
+  for (int v = 0; v < vertices_of(primitive.kind); ++v)
+    place_vertex(primitive, static_cast<std::size_t>(v));
+  if (primitive.kind == PrimitiveKind::line && primitive.is_clipped) cut(primitive);
 }
 
 }  // namespace
@@ -172,6 +189,12 @@ bool has_perspective(const ScenePrimitive& primitive) {
                      [&](const Vertex* vertex) { return vertex->w != primitive.vertices[0]->w; });
 }
 
+ScenePrimitive with_sides(ScenePrimitive primitive, bool clips_sides) {
+  primitive.clips_sides = clips_sides;
+  place(primitive);
+  return primitive;
+}
+
 std::vector<ScenePrimitive> primitives_of(const Scene& scene) {
   std::vector<ScenePrimitive> result;
   for (std::size_t d = 0; d < scene.draws.size(); ++d) {
@@ -186,13 +209,10 @@ std::vector<ScenePrimitive> primitives_of(const Scene& scene) {
       primitive.state = &draw;
       primitive.depth_range = scene.depth_range;
       primitive.viewport = scene.viewport;
-      for (int v = 0; v < vertices_of(primitive.kind); ++v) {
-        const auto at = static_cast<std::size_t>(v);
-        const Vertex& vertex = draw.vertices[assembled.vertices[at]];
-        primitive.vertices[at] = &vertex;
-        place_vertex(primitive, at, vertex, scene.viewport);
-      }
-      if (primitive.kind == PrimitiveKind::line && primitive.is_clipped) cut(primitive);
+      primitive.clips_sides = scene.clips_sides;
+      for (std::size_t v = 0; v < static_cast<std::size_t>(vertices_of(primitive.kind)); ++v)
+        primitive.vertices[v] = &draw.vertices[assembled.vertices[v]];
+      place(primitive);
       primitive.provoking_first = assembled.provoking_first;
       primitive.provoking_last = assembled.provoking_last;
       result.push_back(primitive);

@@ -217,6 +217,9 @@ struct Scene {
   std::vector<Draw> draws;
   // The shaded points, each with a pass to a target of one sample; empty: once, at pixels' centres.
   Supersampling supersampling;
+  // Whether the sides of the view volume clip points and lines, as OpenGL has it. No key of a case:
+  // the API of who draws it decides (model/side_clipping.h).
+  bool clips_sides = true;
 };
 
 // Whether there are fragment operations beyond overwriting colours and a depth buffer cleared to 1.
@@ -225,6 +228,9 @@ bool has_fragment_operations(const Scene& scene);
 
 // Whether a vertex lies in the clip volume, including its border (GL 4.6 core, 13.7).
 bool is_in_clip_volume(const ClipPosition& clip);
+
+// Whether it lies between the near and the far plane, in front of the eye.
+bool is_between_near_and_far(const ClipPosition& clip);
 
 // The unit 2^(e-30) of ClipPosition; window_position has twice the clip w in this unit.
 double unit_of(const ClipPosition& clip);
@@ -259,8 +265,9 @@ struct ScenePrimitive {
   bool is_clipped = false;
   // A line that leaves the clip volume: its positions are the ends of the part inside.
   bool is_cut = false;
-  DepthRange depth_range;  // of the scene
-  Viewport viewport;       // of the scene
+  bool clips_sides = true;  // of the scene: the planes that clip this point or line
+  DepthRange depth_range;   // of the scene
+  Viewport viewport;        // of the scene
   // Which vertex provokes under either convention (GL 4.6 core, table 13.2).
   int provoking_first = 0;
   int provoking_last = 0;
@@ -271,6 +278,9 @@ bool has_clip_positions(const ScenePrimitive& primitive);
 
 // Whether the vertices differ in w, so that smooth and noperspective attributes differ.
 bool has_perspective(const ScenePrimitive& primitive);
+
+// The same point or line, clipped at the sides or not.
+ScenePrimitive with_sides(ScenePrimitive primitive, bool clips_sides);
 
 // All primitives of a scene in drawing order. The pointers live as long as `scene` does.
 std::vector<ScenePrimitive> primitives_of(const Scene& scene);

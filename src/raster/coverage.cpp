@@ -3,6 +3,7 @@
 // The exact rasterizer's coverage stage: the pixels and samples of one primitive.
 #include <algorithm>
 
+#include "model/side_clipping.h"
 #include "raster/coverage_stages.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/homogeneous_line.h"
@@ -177,9 +178,25 @@ Pixels clipped_pixels_of(const ScenePrimitive& primitive,
   return clipped_pixels({{positions, primitive.z}, viewport}, view.bounds, view.within, choice);
 }
 
+// Whether the choice has a point or a line clipped as its API does not.
+bool is_clipped_otherwise(const ScenePrimitive& primitive, const CoverageChoice& choice) {
+  const bool is_chosen =
+      primitive.kind == PrimitiveKind::point
+          ? choice.point_clip == PointClip::of_other_api
+          : primitive.kind == PrimitiveKind::line && choice.line_clip == LineClip::of_other_api;
+  return is_chosen && leaves_sides(primitive);
+}
+
+// The primitive, clipped as the choice has it; as its API does where the other is not exact.
+ScenePrimitive clipped_by(const ScenePrimitive& primitive, const CoverageChoice& choice) {
+  if (!is_clipped_otherwise(primitive, choice)) return primitive;
+  return of_other_api(primitive).value_or(primitive);
+}
+
 // The same, sorted, with the target turned as the choice's row order says.
-Pixels viewed_pixels(const ScenePrimitive& primitive, const Target& target, CoverageChoice choice,
+Pixels viewed_pixels(const ScenePrimitive& given, const Target& target, CoverageChoice choice,
                      View view) {
+  const ScenePrimitive primitive = clipped_by(given, choice);
   const bool turned = choice.rows == RowOrder::top_down;
   if (primitive.kind == PrimitiveKind::line && choice.rows != choice.polygon_rows)
     choice.ties = turned_over(choice.ties);
@@ -205,8 +222,8 @@ Pixels viewed_pixels(const ScenePrimitive& primitive, const Target& target, Cove
 }
 
 // Whether the choice builds a wide line from copies of its fragments.
-bool has_columns(const ScenePrimitive& primitive, const Target& target,
-                 const CoverageChoice& choice) {
+bool has_columns(const ScenePrimitive& given, const Target& target, const CoverageChoice& choice) {
+  const ScenePrimitive primitive = clipped_by(given, choice);
   const Draw& draw = *primitive.state;
   return primitive.kind == PrimitiveKind::line && !primitive.is_clipped &&
          !is_multisampled(draw, target) && rounded_width(draw.line_width) > 1 &&
@@ -214,7 +231,8 @@ bool has_columns(const ScenePrimitive& primitive, const Target& target,
 }
 
 // Whether the line is x-major once the choice has turned the target.
-bool is_x_major(const ScenePrimitive& line, const Target& target, const CoverageChoice& choice) {
+bool is_x_major(const ScenePrimitive& given, const Target& target, const CoverageChoice& choice) {
+  const ScenePrimitive line = clipped_by(given, choice);
   HomogeneousSegment ends{line.positions[0], line.positions[1]};
   if (choice.rows == RowOrder::top_down)
     ends = {turned_over(ends.a, target.height), turned_over(ends.b, target.height)};

@@ -254,6 +254,8 @@ std::vector<Rule> table_of_contents() {
       with(row_order_rule(RuleId::triangle_row_order), rows_of_polygons(), {is_triangle}),
       with(clip_volume_rule(), of_all_kinds<&C::clip>(),
            {[](const Traits& traits) { return is_triangle(traits) && traits.is_clipped; }}),
+      with(line_clip_rule(), of_all_kinds<&C::line_clip>(),
+           {[](const Traits& traits) { return is_line(traits) && traits.leaves_sides; }}),
       with(polygon_facing_rule(), of_all_kinds<&C::facing>(),
            {[](const Traits& traits) { return is_triangle(traits) && traits.is_culled_by_facing; },
             has_stencil_test}),

@@ -26,7 +26,7 @@ std::span<const Chapter> chapters() {
          {RuleId::subpixel_snap, RuleId::point_snap, RuleId::line_snap, RuleId::triangle_snap}},
         {"One fragment a pixel", "coverage/window", {RuleId::fragment_once}},
         {"A scene and its image", "coverage/window", {RuleId::fragment_invariant}},
-        {"The clip volume", "coverage/clip_volume", {RuleId::clip_volume}}}},
+        {"The clip volume", "coverage/clip_volume", {RuleId::clip_volume, RuleId::line_clip}}}},
       {"points",
        "Points",
        "A point is a square; a rule says who owns its border.",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rules/choices.h"
 
+#include "model/side_clipping.h"
 #include "rules/all_rules.h"
 #include "rules/coverage/window.h"
 
@@ -155,6 +156,7 @@ CoverageTraits coverage_traits(const ScenePrimitive& primitive, const Target& ta
   traits.is_wide = primitive.kind == PrimitiveKind::line &&
                    primitive.state->line_width != Fixed::from_integer(1);
   traits.is_clipped = primitive.is_clipped;
+  traits.leaves_sides = leaves_sides(primitive);
   traits.is_culled_by_facing = primitive.state->cull != CullMode::none;
   return traits;
 }

@@ -53,6 +53,7 @@ struct CoverageChoice {
   TriangleAlgorithm triangle_algorithm = TriangleAlgorithm::edge_functions;  // for triangles only
   FacingMethod facing = FacingMethod::as_set;                                // for triangles only
   ClipMethod clip = ClipMethod::homogeneous;                                 // for triangles only
+  LineClip line_clip = LineClip::as_set;                                     // for lines only
   // For multisampled targets.
   SamplePlacement placement;
   MultisampledLine multisampled_line = MultisampledLine::rectangle;  // for lines only
@@ -189,6 +190,7 @@ struct CoverageTraits {
   bool heeds_mask = false;
   bool is_wide = false;  // a line that is not 1 pixel wide
   bool is_clipped = false;
+  bool leaves_sides = false;  // a vertex lies beyond the viewport's sides
   bool is_culled_by_facing = false;
   friend bool operator==(const CoverageTraits&, const CoverageTraits&) = default;
 };

@@ -10,6 +10,7 @@
 
 #include "diff/compare.h"
 #include "diff/findings/patience.h"
+#include "model/side_clipping.h"
 #include "raster/rasterizer.h"
 
 namespace edgecase {
@@ -64,7 +65,8 @@ Result CaseComparison::compare_rendering(std::size_t index, const Case& one,
   try {
     Result result = compare_with_exact(index, one.scene, rendering, facts);
     if (std::ranges::find(one.tags, kRampTag) != one.tags.end())
-      result.ramp = level_ramp(one.scene, policy_, rendering, facts);
+      result.ramp =
+          level_ramp(SceneOfApi(one.scene, facts.lookups.is_es).scene(), policy_, rendering, facts);
     return result;
   } catch (const ComparisonTooLong&) {
     return not_run({FailureKind::timed_out,
@@ -74,19 +76,22 @@ Result CaseComparison::compare_rendering(std::size_t index, const Case& one,
   }
 }
 
-// If a renderer has its samples elsewhere, exact is drawn with samples there.
+// If a renderer has its samples elsewhere, or its API other planes that clip, exact is drawn so.
 Result CaseComparison::compare_with_exact(std::size_t index, const Scene& scene,
                                           const Rendering& rendering, const RendererFacts& facts) {
+  const SceneOfApi asked(scene, facts.lookups.is_es);
+  if (!asked.is_exact()) return not_run({FailureKind::unsupported, kBeyondExactSides});
   const auto compare_with = [&](const ExactSide& exact) {
-    Result result = compare(scene, policy_, exact.rendering, rendering, facts);
+    Result result = compare(asked.scene(), policy_, exact.rendering, rendering, facts);
     report_fragments(exact.rendering, rendering, result);
     keep_pictures(rendering, exact, result);
     return result;
   };
   const ExactSide& usual = exact(index, scene);
   const SamplePositions& reported = rendering.sample_positions;
-  if (reported.empty() || reported == usual.rendering.sample_positions) return compare_with(usual);
-  const ExactSide own(rasterize_for_comparison(scene, policy_, reported));
+  const bool is_usual = reported.empty() || reported == usual.rendering.sample_positions;
+  if (is_usual && !asked.is_own()) return compare_with(usual);
+  const ExactSide own(rasterize_for_comparison(asked.scene(), policy_, reported));
   Result result = compare_with(own);
   result.exact_samples = own.samples;
   result.exact_pixels = own.pixels;

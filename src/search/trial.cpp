@@ -12,9 +12,11 @@
 #include "diff/compare.h"
 #include "diff/coverage/coverage_compare.h"
 #include "diff/coverage/legality.h"
+#include "model/side_clipping.h"
 #include "raster/rasterizer.h"
 #include "results/clusters.h"
 #include "rules/all_rules.h"
+#include "rules/renderer_claims.h"
 
 namespace edgecase {
 namespace {
@@ -197,9 +199,12 @@ Result Trial::compare_outcome(const Scene& scene, Outcome outcome) const {
   const auto& rendering = std::get<Rendering>(outcome);
   const RendererFacts facts =
       facts_of(renderer_.info(), options_.profiles.resolved(renderer_.info()));
+  const SceneOfApi asked(scene, facts.lookups.is_es);
+  if (!asked.is_exact()) return not_run({FailureKind::unsupported, kBeyondExactSides});
   // The renderer may have other sample positions; exact then uses these, too.
-  const Rendering exact = rasterize_for_comparison(scene, policy_, rendering.sample_positions);
-  return compare(scene, policy_, exact, rendering, facts);
+  const Rendering exact =
+      rasterize_for_comparison(asked.scene(), policy_, rendering.sample_positions);
+  return compare(asked.scene(), policy_, exact, rendering, facts);
 }
 
 TrialAnswer Trial::judged(const Scene& scene, Result result) const {
@@ -283,7 +288,7 @@ Screening Screen::ask(Renderer& renderer, std::span<const Scene> scenes, bool co
   return screening;
 }
 
-std::optional<Result> Screen::screened(const Scene& scene, Outcome outcome, bool coverage_only,
+std::optional<Result> Screen::screened(const Scene& given, Outcome outcome, bool coverage_only,
                                        const RendererInfo& info) const {
   if (auto* failure = std::get_if<Failure>(&outcome)) {
     if (failure->kind == FailureKind::unsupported || failure->kind == FailureKind::unavailable)
@@ -291,6 +296,9 @@ std::optional<Result> Screen::screened(const Scene& scene, Outcome outcome, bool
     return not_run(std::move(*failure));
   }
   const auto& rendering = std::get<Rendering>(outcome);
+  const SceneOfApi asked(given, claims_of(info).lookups.is_es);
+  if (!asked.is_exact()) return std::nullopt;
+  const Scene& scene = asked.scene();
   if (coverage_only) return coverage_of(scene, rendering, info);
   const Rendering exact = rasterize_for_comparison(scene, resolved_, rendering.sample_positions);
   const RendererFacts facts{info.subpixel_bits, profiles_.resolved(info)};

@@ -7,7 +7,8 @@ import sys
 import unittest
 import xml.etree.ElementTree as ET
 
-from support import NOTHING_DRAWN, UNEXPECTED, CommandTest, triangle_case, verdicts
+from support import (NOTHING_DRAWN, UNEXPECTED, CommandTest, only_result, triangle_case,
+                     verdicts)
 
 # Draws a point of any size as one of so many pixels, and claims what it is told to.
 POINTS = """
@@ -26,6 +27,20 @@ for line in sys.stdin:
     print(json.dumps({"digest": request["digest"], "pixels": pixels, "fragments": fragments,
                       "renderer": claims}), flush=True)
 """
+# Draws these pixels of a white point, and claims what it is told to.
+BESIDE = """
+import json, sys
+drawn, claims = map(json.loads, sys.argv[1:])
+for line in sys.stdin:
+    request = json.loads(line)
+    pixels = [0, 0, 0, 255] * 64
+    for x, y in drawn:
+        pixels[4 * (8 * y + x):4 * (8 * y + x) + 4] = [255] * 4
+    print(json.dumps({"digest": request["digest"], "pixels": pixels, "renderer": claims,
+                      "fragments": [{"x": x, "y": y, "primitive": 0} for x, y in drawn]}),
+          flush=True)
+"""
+LEFT = [(x, y) for y in range(2, 7) for x in range(2)]
 REFUSES = """
 import json, sys
 for line in sys.stdin:
@@ -77,6 +92,37 @@ class Claims(Program):
             self.assertEqual(self.verdict(9, subpixel_bits=bits), "violation")
         self.verdict(9, subpixel_bits=1)
         self.assertIn("subpixel_bits 1: at least 4 are required", self.summary)
+
+
+class Api(Program):
+    """A point of 5 pixels whose vertex lies half a pixel to the left of the viewport: OpenGL may
+    discard it, OpenGL ES must draw what reaches in."""
+
+    def result(self, drawn, **claims):
+        self.write("cases/point.json", triangle_case(
+            title="A point beside the viewport", rules=["point.clip"],
+            target={"width": 8, "height": 8, "clear": [0, 0, 0, 1]},
+            draws=[{"primitive": "points", "vertices": [{"clip": [-1.125, 0.125, 0, 1]}],
+                    "color": [1, 1, 1, 1], "state": {"point_size": 5}}]))
+        program = self.program(BESIDE, json.dumps(drawn), json.dumps(claims))
+        self.found = self.results("cases", "--no-rerun", "--against", program, expect=None)
+        return only_result(self.found["cases"][0])
+
+    def test_opengl_may_do_either(self):
+        for claims in ({}, {"traits": {"api": "OpenGL"}}):
+            self.assertEqual(self.result([], **claims)["verdict"], "agree")
+            self.assertEqual(self.result(LEFT, **claims)["verdict"], "convention")
+
+    def test_opengl_es_draws_it(self):
+        claims = {"traits": {"api": "OpenGL ES"}}
+        self.assertEqual(self.result(LEFT, **claims)["verdict"], "agree")
+        lost = self.result([], **claims)
+        self.assertEqual(lost["verdict"], "violation")
+        self.assertIn("Ruling 68: ", json.dumps(lost))
+        self.assertIn("point.clip=of-other-api", json.dumps(lost))
+        # Without its last column it is no picture of either.
+        less = self.result([pixel for pixel in LEFT if pixel[0] == 0], **claims)
+        self.assertEqual(less["verdict"], "violation")
 
 
 class NothingDrawn(Program):

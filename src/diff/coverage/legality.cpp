@@ -8,6 +8,7 @@
 
 #include "diff/coverage/vertex_latitude.h"
 #include "diff/findings/patience.h"
+#include "model/side_clipping.h"
 #include "raster/coverage_stages.h"
 #include "raster/rasterizer.h"
 #include "rules/choices.h"
@@ -141,6 +142,15 @@ int contested_ruling_on_line(const ScenePrimitive& line, std::span<const PixelPo
   if (is_smaller && holds_under_more({{smaller}, terms.bounds, terms.errors}))
     return kRulingOnSmallerWidth;
   return 0;
+}
+
+bool is_cut_at_sides(const ScenePrimitive& line, std::span<const PixelPosition> drawn,
+                     const Scene& scene) {
+  if (line.clips_sides || !leaves_sides(line)) return false;
+  const ScenePrimitive cut = with_sides(line, true);
+  if (cut.is_clipped || drawn.empty()) return cut.is_clipped && drawn.empty();
+  return illegal_line_snaps(cut, drawn, scene).size() < all_snaps().size() ||
+         contested_ruling_on_line(cut, drawn, scene) == kRulingOnViewport;
 }
 
 std::string broken_clause_unsnapped(const ScenePrimitive& line,

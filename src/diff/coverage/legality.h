@@ -36,6 +36,8 @@ struct CoverageLegality {
 
 // The ruling on fragments of points and lines that are left out beyond the viewport's sides.
 inline constexpr int kRulingOnViewport = 54;
+// The ruling on points and lines of OpenGL ES that lack fragments beside the viewport's sides.
+inline constexpr int kRulingOnSides = 68;
 // The ruling on wide lines drawn as wide as the next smaller integer.
 inline constexpr int kRulingOnSmallerWidth = 56;
 // The ruling on a single fragment of a line for which the diamond-exit rule has none.
@@ -49,6 +51,11 @@ int contested_ruling_on_line(const ScenePrimitive& line, std::span<const PixelPo
 std::vector<std::string> illegal_line_snaps(const ScenePrimitive& line,
                                             std::span<const PixelPosition> drawn,
                                             const Scene& scene);
+
+// True if a line of OpenGL ES is drawn as OpenGL has it, which cuts it at the viewport's sides
+// (ruling 68), though perhaps without what lies beyond them (ruling 54).
+bool is_cut_at_sides(const ScenePrimitive& line, std::span<const PixelPosition> drawn,
+                     const Scene& scene);
 
 // The clause of rulings 1 and 2 that the unsnapped segment breaks, or empty.
 std::string broken_clause_unsnapped(const ScenePrimitive& line,

@@ -8,6 +8,7 @@
 
 #include "diff/coverage/covered_shape.h"
 #include "exact/numeral.h"
+#include "model/side_clipping.h"
 #include "rules/coverage/point_ownership.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
@@ -175,6 +176,13 @@ CoverageLegality SampleJudge::judge_clipped(bool extra, Point sample) const {
           })};
 }
 
+bool SampleJudge::is_clipped_as_in_opengl(Point sample) const {
+  if (primitive_.clips_sides || !leaves_sides(primitive_)) return false;
+  const ScenePrimitive cut = with_sides(primitive_, true);
+  return cut.is_clipped ||
+         possibly_uncovered(cut, sample, latitudes_of(cut, terms_.bits, terms_.sizes));
+}
+
 CoverageLegality SampleJudge::judge(const CoverageDifference& difference, Point within) const {
   if (auto masked = judge_mask(primitive_, difference)) return *std::move(masked);
   if (auto shape = judge_shape(difference)) return *std::move(shape);
@@ -195,6 +203,11 @@ CoverageLegality SampleJudge::judge(const CoverageDifference& difference, Point 
         is_sized ? text_of(latitudes_.sizes) : "", result.legal ? "puts" : "could put",
         extra ? "inside or on the boundary" : "outside or on the boundary");
   });
+  if (result.legal || extra || !is_clipped_as_in_opengl(sample)) return result;
+  result.rule = kClipVolume;
+  result.ruling = kRulingOnSides;
+  result.reason +=
+      reason([] { return ", and the viewport's sides clip no point and no line in OpenGL ES"; });
   return result;
 }
 

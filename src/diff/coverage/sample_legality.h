@@ -64,6 +64,8 @@ class SampleJudge {
   CoverageLegality judge(const CoverageDifference& difference, Point within) const;
   CoverageLegality judge_clipped(bool extra, Point sample) const;
   CoverageLegality judge_clipped_point(bool extra, Point sample) const;
+  // True if OpenGL, which clips at the viewport's sides, may leave out what OpenGL ES must draw.
+  bool is_clipped_as_in_opengl(Point sample) const;
   // Triangles that are none: two vertices are one, or a hole lies between covered samples. None if
   // the difference is no part of that.
   std::optional<CoverageLegality> judge_shape(const CoverageDifference& difference) const;

@@ -59,7 +59,7 @@ Fixed error_of_seen(const ScenePrimitive& triangle) {
 Fixed error_of_cut(const ScenePrimitive& line, std::size_t end) {
   const RationalClip from = rational_clip(*line.vertices[0], line.viewport);
   const RationalClip to = rational_clip(*line.vertices[1], line.viewport);
-  const auto part = visible_part(from, to);
+  const auto part = visible_part(from, to, line.clips_sides);
   if (!part) return {};
   const Rational& t = end == 0 ? part->from : part->to;
   if (t == 0 || t == 1) return {};

@@ -85,13 +85,24 @@ std::vector<PixelPosition> clipped_triangle_pixels(const UnclippedTriangle& tria
   return pixels;
 }
 
+Rule line_clip_rule() {
+  Rule rule;
+  rule.id = RuleId::line_clip;
+  rule.title = "A line is clipped at the planes that the API says";
+  rule.spec = "13.7 (primitive clipping)";
+  rule.latitude = "none; rulings 42 and 68 say which planes clip";
+  rule.standard = "as-set";
+  rule.alternatives = alternatives_of<LineClip>();
+  return rule;
+}
+
 Rule clip_volume_rule() {
   return {
       RuleId::clip_volume,
       "Only the part of a primitive in the clip volume is drawn",
       "13.7 (primitive clipping)",
       "new vertices are rounded and may be moved as others are; points outside the sides of the "
-      "view volume may be drawn or not (ruling 42)",
+      "view volume may be drawn or not (ruling 42), but OpenGL ES must draw them (ruling 68)",
       "homogeneous",
       alternatives_of<ClipMethod>(),
       {{42,
@@ -110,6 +121,14 @@ Rule clip_volume_rule() {
         "discarded, "
         "as the implementation likes; exact discards it. Elsewhere nothing is drawn of it, however "
         "large it is."},
+       {68,
+        "OpenGL ES clips points and lines at the near and the far plane alone, where OpenGL clips "
+        "lines at the viewport's sides, too, and may discard points beyond them. So of a renderer "
+        "that says it is OpenGL ES a point is drawn wherever its vertex lies between near and far, "
+        "and a line from end to end of what lies between them: in all pixels of the framebuffer "
+        "that rulings 1, 2, 6, 12 and 28 give it. If fragments within the viewport are left out "
+        "since the point was discarded or the line was cut at a side, it is a violation. Those "
+        "beyond the sides may be left out under ruling 54. Triangles are clipped as in OpenGL."},
        {66,
         "Contested: a value that a fragment of a clipped polygon carries, other than depth, lies "
         "between the least and the greatest of the values at the polygon's vertices, but is not "

@@ -25,6 +25,7 @@
 namespace edgecase {
 
 Rule clip_volume_rule();  // clip.volume
+Rule line_clip_rule();    // line.clip
 
 enum class ClipMethod {
   homogeneous,    // sample by sample, as above
@@ -51,6 +52,16 @@ inline constexpr auto kNames<ClipMethod> = std::to_array<TabledAlternative<ClipM
       "parts nearer than near or farther than far are drawn too"},
      {ClipMethod::sides_ignored, "sides-ignored", Openness::illegal,
       "parts beyond the viewport's sides are drawn too"}});
+
+// The planes that clip lines: all six in OpenGL, near and far alone in OpenGL ES (3.2, 12.5).
+enum class LineClip { as_set, of_other_api };
+template <>
+inline constexpr auto kNames<LineClip> = std::to_array<TabledAlternative<LineClip>>(
+    {{LineClip::as_set, "as-set", Openness::mandated,
+      "the planes clip that the API says: all six in OpenGL, near and far in OpenGL ES"},
+     {LineClip::of_other_api, "of-other-api", Openness::illegal,
+      "in OpenGL the viewport's sides do not cut a line, as in OpenGL ES; in OpenGL ES they do, as "
+      "in OpenGL"}});
 
 // A triangle with some vertices outside the volume: positions with a w of either sign, and z over
 // the same w.

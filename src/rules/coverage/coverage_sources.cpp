@@ -160,6 +160,23 @@ void add_coverage_sources(std::map<int, RulingSource>& of) {
                 "WebGL 2 inherits it), makes the sides optional again: on a browser treat points "
                 "as in GL"};
 
+  of[68] = {
+      .clause = "12.5 (Primitive Clipping)",
+      .revision = "OpenGL ES 3.2, May 5, 2022",
+      .quotation =
+          "clipping does nothing to it if it lies entirely within the near and far clip planes",
+      .khronos =
+          "dEQP-GLES3.functional.clipping.point.wide_point_clip, "
+          "wide_point_clip_viewport_center, _corner and line.wide_line_clip, "
+          "wide_line_clip_viewport_center, _corner (es3fClippingTests.cpp): points and lines "
+          "a pixel beyond the sides, \"wide points have fragments in the viewport\"; the "
+          "reference renderer clips both by z only (rrRenderer.cpp, clipPrimitives) and "
+          "rasterizes into the intersection of viewport and buffer. Points: within 1 pixel, "
+          "no faulty pixel; lines: within 1 pixel, 6 faulty pixels",
+      .es =
+          "12.5: this is the text; of a point: \"clipping passes it unchanged if it lies "
+          "within the near and far clip planes; otherwise, it is discarded\""};
+
   of[43] = {.clause = "14 (Rasterization); 13.8.1 (Controlling the Viewport)",
             .quotation =
                 "fragment is located by its lower left corner, which lies on integer grid "

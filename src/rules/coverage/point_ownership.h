@@ -32,7 +32,7 @@ inline constexpr auto kNames<PointOffset> = std::to_array<TabledAlternative<Poin
      {PointOffset::right_down, "right-down", Openness::illegal,
       "the square lies 1/8 pixel to the right and below"}});
 // What clips a point: its vertex alone, against the clip volume with its border.
-enum class PointClip { as_set, border_dropped, cut_at_viewport };
+enum class PointClip { as_set, border_dropped, cut_at_viewport, of_other_api };
 template <>
 inline constexpr auto kNames<PointClip> = std::to_array<TabledAlternative<PointClip>>(
     {{PointClip::as_set, "as-set", Openness::mandated,
@@ -40,7 +40,10 @@ inline constexpr auto kNames<PointClip> = std::to_array<TabledAlternative<PointC
      {PointClip::border_dropped, "border-dropped", Openness::illegal,
       "a vertex on the border of the clip volume counts as outside"},
      {PointClip::cut_at_viewport, "cut-at-viewport", Openness::illegal,
-      "what of the square lies beyond the viewport is not drawn"}});
+      "what of the square lies beyond the viewport is not drawn"},
+     {PointClip::of_other_api, "of-other-api", Openness::open,
+      "in OpenGL a vertex beyond the viewport's sides clips nothing, as in OpenGL ES; in OpenGL ES "
+      "it clips the point, as OpenGL permits"}});
 // True if the vertex of a point lies on the border of the clip volume.
 bool is_on_border(const ScenePrimitive& point);
 

@@ -172,7 +172,7 @@ std::array<Interval, 3> weighted(const std::array<std::array<Interval, 2>, 2>& s
 std::optional<CutLine> CutLine::of(const ScenePrimitive& line) {
   const RationalClip from = rational_clip(*line.vertices[0], line.viewport);
   const RationalClip to = rational_clip(*line.vertices[1], line.viewport);
-  const auto part = visible_part(from, to);
+  const auto part = visible_part(from, to, line.clips_sides);
   if (!part) return std::nullopt;
   CutLine result;
   const Rational* const parts[] = {&part->from, &part->to};
