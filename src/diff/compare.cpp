@@ -89,9 +89,8 @@ bool has_one_cause(const Result& result) {
 
 // True if all that differs is drawn as the other of OpenGL and OpenGL ES has it.
 bool is_of_other_api(const Result& result) {
-  static const Cause ways[] = {
-      alternative_id(RuleId::point_clip, name_of(PointClip::of_other_api)),
-      alternative_id(RuleId::line_clip, name_of(LineClip::of_other_api))};
+  static const Cause ways[] = {alternative_id(RuleId::point_clip, name_of(PointClip::of_other_api)),
+                               alternative_id(RuleId::line_clip, name_of(LineClip::of_other_api))};
   return !result.evidence.empty() &&
          std::ranges::all_of(result.evidence, [](const Result::Evidence& evidence) {
            return std::ranges::find_first_of(evidence.causes, ways) != evidence.causes.end();

@@ -207,7 +207,7 @@ class Blessing {
         continue;
       if (count > 0)
         after_[i].cases_on[release] = count;
-      else if (!release_.is_es)
+      else if (!release_.is_es && !is_of_es_alone(after_[i]))
         close(after_[i]);
     }
   }

@@ -64,6 +64,12 @@ std::string text_of(const Release& release) {
   return (text.empty() ? "unversioned" : text) + (release.is_es ? " ES" : "");
 }
 
+bool is_of_es_alone(const KnownFault& fault) {
+  return !fault.cases_on.empty() && std::ranges::all_of(fault.cases_on, [](const auto& counted) {
+    return counted.first.ends_with(" ES");
+  });
+}
+
 Release release_of(const RendererInfo& info) {
   Release release;
   std::string text = info.version;

@@ -118,8 +118,9 @@ void add_faults_seen(Faults faults, std::size_t index, Results& results) {
     const bool is_all = is_whole(results) && !is_partial(results, index, *fault);
     if (is_all || (is_whole(results) && seen.cases > seen.before.value_or(0)))
       seen.state = state_of(seen);
-    // OpenGL ES does not support many cases.
-    const bool is_missed = seen.cases == 0 && (!is_all || (release.is_es && !seen.before));
+    // OpenGL ES does not support many cases, and has faults of its own.
+    const bool is_elsewhere = !seen.before && (release.is_es || is_of_es_alone(*fault));
+    const bool is_missed = seen.cases == 0 && (!is_all || is_elsewhere);
     if (!is_missed) results.faults.push_back(std::move(seen));
   }
 }
