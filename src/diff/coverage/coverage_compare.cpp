@@ -312,20 +312,19 @@ class CoverageComparison {
     const auto& drawn = coverage.drawn.front();
     const auto illegal = illegal_line_snaps(line, drawn, scene());
     if (illegal.empty() && evidence_of(line) == nullptr) return;
-    merge_snaps(illegal, result_.illegal_line_snaps);
-    const int ruling = illegal.empty() ? 0 : broken_ruling_on_line(line, drawn);
+    const bool is_cut = !illegal.empty() && is_cut_at_sides(line, drawn, scene());
+    // What a cut leaves out tells nothing of how vertices are snapped.
+    if (!is_cut) merge_snaps(illegal, result_.illegal_line_snaps);
+    const int contested = illegal.empty() ? 0 : contested_ruling_on_line(line, drawn, scene());
+    const int ruling = contested != 0 ? contested
+                       : is_cut       ? kRulingOnSides
+                                      : ruling_on_line(line, scene());
     const std::string clause = broken_clause_unsnapped(line, drawn, scene());
     if (!illegal.empty()) break_line(line, illegal, clause, RuleId::line_diamond_exit, ruling);
     if (!clause.empty()) return;
     const int kept = ruling_on_line(line, scene());
     say_of_line(line, RuleId::line_diamond_exit, kept,
                 fmt::format("Ruling {} holds for the segment as given.", kept));
-  }
-
-  int broken_ruling_on_line(const ScenePrimitive& line,
-                            std::span<const PixelPosition> drawn) const {
-    if (const int contested = contested_ruling_on_line(line, drawn, scene())) return contested;
-    return is_cut_at_sides(line, drawn, scene()) ? kRulingOnSides : ruling_on_line(line, scene());
   }
 
   void judge_joints() {

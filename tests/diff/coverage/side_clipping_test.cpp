@@ -130,6 +130,8 @@ TEST(SideClipping, AWideLineIsCutAtTheSidesByOpenGlAlone) {
     EXPECT_EQ(lost.verdict, Verdict::violation) << described(lost);
     EXPECT_EQ(broken_rulings(lost), Rulings{68}) << described(lost);
     EXPECT_EQ(disagreement_causes_of(lost), Names{"line.clip=of-other-api"});
+    // It speaks for no way to snap vertices.
+    EXPECT_TRUE(lost.illegal_line_snaps.empty());
     const Result drawn = judge_output(scene, {}, whole);
     EXPECT_EQ(drawn.verdict, Verdict::violation) << described(drawn);
     EXPECT_EQ(broken_rulings(drawn).count(68), 0U);
