@@ -101,8 +101,8 @@ struct KnownFault {
   friend bool operator==(const KnownFault&, const KnownFault&) = default;
 };
 
-// True if it was counted on releases that are reached as OpenGL ES, and on no others: OpenGL permits
-// or defines there what OpenGL ES forbids.
+// True if it was counted on releases that are reached as OpenGL ES, and on no others: OpenGL
+// permits or defines there what OpenGL ES forbids.
 bool is_of_es_alone(const KnownFault& fault);
 
 struct KnownFaults {

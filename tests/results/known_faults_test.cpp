@@ -212,6 +212,15 @@ TEST(KnownFaults, BelongToReleasesAndRenderers) {
   EXPECT_EQ(faults_of(known, info).size(), 1u) << "one is of EGL alone";
 }
 
+TEST(KnownFaults, AreOfOpenGlEsAloneWhereNoOtherReleaseWasCounted) {
+  KnownFault fault;
+  EXPECT_FALSE(is_of_es_alone(fault));
+  fault.cases_on = {{"Mesa 22.3.6 ES", 3}, {"Mesa 25.0.7 ES", 2}};
+  EXPECT_TRUE(is_of_es_alone(fault));
+  fault.cases_on["Mesa 25.0.7"] = 1;
+  EXPECT_FALSE(is_of_es_alone(fault));
+}
+
 TEST(KnownFaults, ABrowserDoesNotTellTheReleaseOfTheDriverBelowIt) {
   const KnownFaults known = read(kFile);
   RendererInfo info;
