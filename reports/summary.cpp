@@ -78,10 +78,22 @@ class Table {
       });
     write_row(out, "unexpected", style_of(Verdict::violation),
               [&](std::size_t r) { return count_unexpected(results_, r); });
+    write_images(out, "images", Verdict::agree, &ImageCounts::drawn);
+    write_images(out, "refused", Verdict::not_run, &ImageCounts::refused);
   }
 
  private:
   using Count = std::function<std::size_t(std::size_t renderer)>;
+
+  void write_images(std::ostream& out, const std::string& label, Verdict verdict,
+                    int ImageCounts::*counted) const {
+    write_row(out, label, style_of(verdict), [&](std::size_t r) {
+      std::size_t all = 0;
+      for (const CaseOutline& one : results_.cases.outlines())
+        all += static_cast<std::size_t>(one.answers[r].images.*counted);
+      return all;
+    });
+  }
 
   // Nothing if all counts are 0.
   void write_row(std::ostream& out, const std::string& label, fmt::text_style style,

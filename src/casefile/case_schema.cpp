@@ -177,7 +177,7 @@ constexpr std::string_view kCaseSchema = R"json({
     },
     "invariant": {
       "title": "Invariant",
-      "description": "Whether images of the scene are drawn, too, which must be alike: moved, with its colours masked, and once more (ruling 67).",
+      "description": "Whether images of the scene are drawn, too, which must be alike: moved, with its colours masked, cut by the scissor test, behind others, and once more (ruling 67).",
       "type": "boolean"
     },
     "tags": {

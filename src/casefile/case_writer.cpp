@@ -238,6 +238,7 @@ Pieces word_pieces(const CaseWords& words) {
   add_word("spec", words.spec, members);
   add_word("origin", words.origin, members);
   if (!words.tags.empty()) members.push_back(named("tags", json_strings(words.tags)));
+  if (words.invariant) members.push_back(named("invariant", json_scalar("true")));
   return members;
 }
 

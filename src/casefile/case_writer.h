@@ -24,6 +24,7 @@ struct CaseWords {
   std::string spec;
   std::string origin;  // a link
   std::vector<std::string> tags;
+  bool invariant = false;  // see Case
 };
 
 struct CaseText {

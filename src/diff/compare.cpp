@@ -21,6 +21,7 @@
 #include "diff/drawing_compare.h"
 #include "diff/explaining_hypotheses.h"
 #include "diff/findings/add_disagreement.h"
+#include "diff/invariance.h"
 #include "diff/textures/texture_lookups.h"
 #include "diff/upside_down.h"
 #include "diff/values/value_diff.h"
@@ -112,23 +113,25 @@ bool asks_for_hypotheses(const Result& result) {
          });
 }
 
-constexpr int kRulingOnImages = 67;
-
 // What is drawn in the larger target of an image may lie beyond the scene's own: it is told at the
 // nearest pixel.
-void report_variances(const Rendering& rendered, Result& result) {
-  for (const Variance& variance : rendered.variances) {
+void report_variances(const Scene& scene, const Rendering& rendered, Result& result) {
+  result.images = rendered.images;
+  std::vector<Variance> variances = rendered.variances;
+  find_variances_of_primitives(scene, rendered, variances);
+  for (const Variance& variance : variances) {
     const auto [x, y] = variance.pixel;
     const PixelPosition nearest{std::clamp(x, 0, rendered.width - 1),
                                 std::clamp(y, 0, rendered.height - 1)};
-    const DisagreementClass of =
-        value_class(variance.primitive, RuleId::fragment_invariant, kRulingOnImages);
+    DisagreementClass of =
+        value_class(variance.primitive, RuleId::fragment_invariant, variance.ruling);
+    of.legality = legality_against(variance.ruling);
     if (Disagreement* const d = add_disagreement(result, nearest, of)) {
       d->figure = value_figure(nearest);
       d->explanation = fmt::format(
           "{}{}. Ruling {}", variance.what,
           nearest == variance.pixel ? "" : fmt::format(", at ({}, {}), beyond the target", x, y),
-          kRulingOnImages);
+          variance.ruling);
     }
   }
 }
@@ -150,7 +153,7 @@ Result compare(const Scene& scene, const ResolvedPolicy& policy, const Rendering
     result.hypotheses = explaining_hypotheses(drawing);
     if (has_one_cause(result)) result.hypotheses.push_back({kHasOneCause, kHasOneCause});
   }
-  report_variances(rendered, result);
+  report_variances(scene, rendered, result);
   std::erase_if(result.values, [](const ValueAggregate& v) { return v.differing.empty(); });
   std::sort(result.disagreements.begin(), result.disagreements.end(), reads_before);
   // A run keeps all its results until the last one is there.

@@ -6,104 +6,17 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <map>
+#include <set>
 #include <tuple>
+#include <utility>
 
 namespace edgecase {
 namespace {
 
 constexpr std::size_t kMostVariances = 64;
-constexpr int kLargestMoved = 64;  // pixels along a side of what is moved
-
-// The smallest power of 2 that leaves room to move, and its float32 coordinates exact.
-int side_for(const Target& target) {
-  return std::max(target.width, target.height) <= 32 ? 64 : 128;
-}
-
-bool is_whole_target(const Viewport& viewport, const Target& target) {
-  return viewport.x == 0 && viewport.y == 0 && viewport.width == target.width &&
-         viewport.height == target.height;
-}
-
-// Half the extent of a point's square or of a line's width, in pixels, rounded up.
-int margin_of(const ScenePrimitive& primitive) {
-  const Draw& draw = *primitive.state;
-  const Fixed size = primitive.kind == PrimitiveKind::point  ? draw.point_size
-                     : primitive.kind == PrimitiveKind::line ? draw.line_width
-                                                             : Fixed();
-  return static_cast<int>(size.ceil() / 2) + 1;
-}
-
-// True if neither the primitive nor its image is cut by the sides of the target, and nothing is
-// rounded as its vertices get their places.
-bool lies_inside(const ScenePrimitive& primitive, const Target& target) {
-  const int margin = primitive.kind == PrimitiveKind::triangle ? 0 : margin_of(primitive);
-  for (int v = 0; v < vertices_of(primitive.kind); ++v) {
-    const Vertex& vertex = *primitive.vertices[static_cast<std::size_t>(v)];
-    const Point p = vertex.position;
-    if (vertex.clip || vertex.w != 1 || p.x.floor() < margin || p.y.floor() < margin ||
-        p.x.ceil() > target.width - margin || p.y.ceil() > target.height - margin)
-      return false;
-  }
-  return true;
-}
-
-bool can_be_moved(const Scene& scene) {
-  const Target& target = scene.target;
-  return target.samples == 1 && scene.supersampling.empty() && target.width <= kLargestMoved &&
-         target.height <= kLargestMoved && is_whole_target(scene.viewport, target) &&
-         std::ranges::all_of(primitives_of(scene), [&](const ScenePrimitive& primitive) {
-           return lies_inside(primitive, target);
-         });
-}
-
-Scene at_place(Scene scene, int right, int up) {
-  const int side = side_for(scene.target);
-  scene.target.width = scene.target.height = side;
-  scene.viewport = {0, 0, side, side};
-  for (Draw& draw : scene.draws) {
-    for (Vertex& vertex : draw.vertices)
-      vertex.position = {vertex.position.x + Fixed::from_integer(right),
-                         vertex.position.y + Fixed::from_integer(up)};
-    if (!draw.scissor) continue;
-    draw.scissor->x += right;
-    draw.scissor->y += up;
-  }
-  return scene;
-}
-
-SceneImage moved(const Scene& scene) {
-  const int side = side_for(scene.target);
-  // Odd, so that no pixel keeps its place in a tile.
-  const int right = (side - scene.target.width) | 1;
-  const int up = (side - scene.target.height - 2) | 1;
-  const int fits = right + scene.target.width > side ? 2 : 0;
-  SceneImage image;
-  image.right = right - fits;
-  image.up = up;
-  image.text = fmt::format("is moved by {} pixels to the right and {} up", image.right, image.up);
-  image.first = at_place(scene, 0, 0);
-  image.second = at_place(scene, image.right, image.up);
-  return image;
-}
-
-SceneImage masked(const Scene& scene) {
-  SceneImage image;
-  image.text = "has all colours masked, and another clear colour";
-  image.second = scene;
-  for (Draw& draw : image.second.draws) draw.operations.color_mask = {};
-  for (float& component : image.second.target.clear) component = 1 - component;
-  image.has_values = true;
-  return image;
-}
-
-SceneImage repeated(const Scene& scene) {
-  SceneImage image;
-  image.text = "is drawn once more";
-  image.second = scene;
-  image.has_values = image.has_pixels = true;
-  return image;
-}
 
 class Variances {
  public:
@@ -113,7 +26,8 @@ class Variances {
   bool is_full() const { return found_.size() >= most_; }
   void add(PixelPosition pixel, int primitive, const std::string& what) {
     if (!is_full())
-      found_.push_back({pixel, primitive, fmt::format("{}; it {}", what, image_.text)});
+      found_.push_back(
+          {pixel, primitive, image_.ruling, fmt::format("{}; the image {}", what, image_.text)});
   }
 
  private:
@@ -122,6 +36,7 @@ class Variances {
   const std::size_t most_;
 };
 
+// To the last bit.
 bool is_same_number(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
@@ -139,62 +54,179 @@ std::string other_value(const Fragment& a, const Fragment& b) {
   return "";
 }
 
+// The fragments of a drawing that are to be compared, in places and with numbers of the scene that
+// the image is one of; sorted.
+std::vector<std::pair<std::tuple<int, int, int>, const Fragment*>> compared(
+    const SceneImage& image, const std::vector<Fragment>& fragments, bool is_second) {
+  const auto [right, up, behind] =
+      is_second ? std::tuple(image.right, image.up, image.behind) : std::tuple(0, 0, 0);
+  std::vector<std::pair<std::tuple<int, int, int>, const Fragment*>> some;
+  for (const Fragment& f : fragments) {
+    const PixelPosition pixel{f.x - right, f.y - up};
+    if (f.primitive < behind || (image.part && !image.part->contains(pixel))) continue;
+    some.push_back({{pixel.y, pixel.x, f.primitive - behind}, &f});
+  }
+  return some;
+}
+
 void compare_fragments(const SceneImage& image, const Rendering& first, const Rendering& second,
                        Variances& variances) {
-  const auto key_in_first = [](const Fragment& f) { return std::tuple(f.y, f.x, f.primitive); };
-  const auto key_in_second = [&](const Fragment& f) {
-    return std::tuple(f.y - image.up, f.x - image.right, f.primitive);
-  };
   const auto say = [&](const auto& key, const std::string& what) {
     const auto [y, x, primitive] = key;
     variances.add({x, y}, primitive, fmt::format("a fragment of primitive {} {}", primitive, what));
   };
-  auto a = first.fragments.begin();
-  auto b = second.fragments.begin();
-  while ((a != first.fragments.end() || b != second.fragments.end()) && !variances.is_full()) {
-    const bool is_a_left = a != first.fragments.end();
-    const bool is_b_left = b != second.fragments.end();
-    if (is_a_left && (!is_b_left || key_in_first(*a) < key_in_second(*b))) {
-      say(key_in_first(*a++), "is in the scene and not in its image");
-    } else if (is_b_left && (!is_a_left || key_in_second(*b) < key_in_first(*a))) {
-      say(key_in_second(*b++), "is in the image of the scene and not in the scene");
+  const auto all_a = compared(image, first.fragments, false);
+  const auto all_b = compared(image, second.fragments, true);
+  auto a = all_a.begin();
+  auto b = all_b.begin();
+  while ((a != all_a.end() || b != all_b.end()) && !variances.is_full()) {
+    if (b == all_b.end() || (a != all_a.end() && a->first < b->first)) {
+      say(a++->first, "is in the scene and not in its image");
+    } else if (a == all_a.end() || b->first < a->first) {
+      say(b++->first, "is in the image of the scene and not in the scene");
     } else {
-      if (const std::string what = image.has_values ? other_value(*a, *b) : ""; !what.empty())
-        say(key_in_first(*a), what);
+      if (const std::string what = image.has_values ? other_value(*a->second, *b->second) : "";
+          !what.empty())
+        say(a->first, what);
       ++a;
       ++b;
     }
   }
 }
 
-void compare_pixels(const Rendering& first, const Rendering& second, Variances& variances) {
-  if (first.pixels.size() != second.pixels.size()) return;
-  for (std::size_t i = 0; i < first.pixels.size() && !variances.is_full(); i += 4) {
-    if (std::equal(&first.pixels[i], &first.pixels[i] + 4, &second.pixels[i])) continue;
-    const auto pixel = static_cast<int>(i / 4);
-    variances.add({pixel % first.width, pixel / first.width}, -1,
-                  "the pixel has two colours in two drawings");
+// One plane of both drawings, or one for each sample.
+template <class Number>
+void compare_plane(const std::string& what, std::size_t components, const std::vector<Number>& a,
+                   const std::vector<Number>& b, const SceneImage& image, const Rendering& size,
+                   Variances& variances) {
+  if (a.size() != b.size()) return;
+  const std::size_t area = size.pixel_index(0, size.height);
+  for (std::size_t i = 0; i < a.size() && !variances.is_full(); i += components) {
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    const auto end = at + static_cast<std::ptrdiff_t>(components);
+    if (std::equal(a.begin() + at, a.begin() + end, b.begin() + at, is_same_number)) continue;
+    const std::size_t index = i / components;
+    const auto pixel = static_cast<int>(index % area);
+    const PixelPosition place{pixel % size.width, pixel / size.width};
+    if (image.part && !image.part->contains(place)) continue;
+    const std::string of = a.size() == area * components
+                               ? std::string("the pixel")
+                               : fmt::format("sample {} of the pixel", index / area);
+    variances.add(place, -1, fmt::format("{} has two {} in two drawings", of, what));
+  }
+}
+
+void compare_planes(const SceneImage& image, const Rendering& first, const Rendering& second,
+                    Variances& variances) {
+  const auto compare = [&](const char* what, std::size_t components, const auto& a, const auto& b) {
+    compare_plane(what, components, a, b, image, first, variances);
+  };
+  if (image.has_pixels) {
+    compare("colours", 4, first.pixels, second.pixels);
+    compare("colours", 4, first.sample_pixels, second.sample_pixels);
+    compare("sums of colours", 4, first.accumulated, second.accumulated);
+  }
+  if (image.has_tests) {
+    compare("depths", 1, first.depths, second.depths);
+    compare("stencil values", 1, first.stencils, second.stencils);
+    compare("numbers of fragments", 1, first.hits, second.hits);
   }
 }
 
 }  // namespace
 
-std::vector<SceneImage> images_of(const Scene& scene) {
-  std::vector<SceneImage> images;
-  if (can_be_moved(scene)) images.push_back(moved(scene));
-  // A supersampled scene has no fragment operations.
-  if (scene.supersampling.empty()) images.push_back(masked(scene));
-  images.push_back(repeated(scene));
-  return images;
-}
-
 void find_variances(const SceneImage& image, const Rendering& first, const Rendering& second,
                     std::vector<Variance>& found) {
   Variances variances(image, found);
   compare_fragments(image, first, second, variances);
-  if (image.has_pixels) compare_pixels(first, second, variances);
-  for (std::size_t i = 0; i < std::min(first.passes.size(), second.passes.size()); ++i)
+  compare_planes(image, first, second, variances);
+  for (std::size_t i = 0; i < std::min(first.passes.size(), second.passes.size()); ++i) {
     compare_fragments(image, first.passes[i], second.passes[i], variances);
+    compare_planes(image, first.passes[i], second.passes[i], variances);
+  }
+}
+
+namespace {
+
+// The pixel that holds the first vertex.
+PixelPosition pixel_of_first(const ScenePrimitive& primitive) {
+  const Point p = primitive.vertices[0]->position;
+  return {static_cast<int>(p.x.floor()), static_cast<int>(p.y.floor())};
+}
+
+// What primitives of one draw have in common that are each other's images: the places of their
+// vertices, from the pixel of the first one.
+using Shape = std::pair<int, std::vector<std::pair<Fixed, Fixed>>>;
+
+Shape shape_of(const ScenePrimitive& primitive) {
+  const PixelPosition pixel = pixel_of_first(primitive);
+  Shape shape{primitive.draw, {}};
+  for (int v = 0; v < vertices_of(primitive.kind); ++v) {
+    const Point p = primitive.vertices[static_cast<std::size_t>(v)]->position;
+    shape.second.emplace_back(p.x - Fixed::from_integer(pixel.x),
+                              p.y - Fixed::from_integer(pixel.y));
+  }
+  return shape;
+}
+
+// The fragments of each primitive, as places from the pixel of its first vertex.
+std::vector<std::set<std::pair<int, int>>> places_of(const std::vector<ScenePrimitive>& primitives,
+                                                     const Rendering& drawn) {
+  std::vector<std::set<std::pair<int, int>>> places(primitives.size());
+  for (const Fragment& f : drawn.fragments) {
+    const auto index = static_cast<std::size_t>(f.primitive);
+    const PixelPosition pixel = pixel_of_first(primitives[index]);
+    places[index].insert({f.y - pixel.y, f.x - pixel.x});
+  }
+  return places;
+}
+
+bool may_have_moved(const Scene& scene) {
+  constexpr std::size_t kMostVertices = 4096;
+  const auto is_fine = [](int side) {
+    return std::has_single_bit(static_cast<unsigned>(side)) && side <= 2 * kLargestMoved;
+  };
+  const Target& target = scene.target;
+  std::size_t vertices = 0;
+  for (const Draw& draw : scene.draws) vertices += draw.vertices.size();
+  return target.samples == 1 && scene.supersampling.empty() && is_fine(target.width) &&
+         is_fine(target.height) && is_whole_target(scene.viewport, target) &&
+         vertices <= kMostVertices;
+}
+
+}  // namespace
+
+void find_variances_of_primitives(const Scene& scene, const Rendering& drawn,
+                                  std::vector<Variance>& found) {
+  if (!may_have_moved(scene)) return;
+  const std::vector<ScenePrimitive> primitives = primitives_of(scene);
+  std::map<Shape, std::size_t> firsts;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    if (primitives[i].state->scissor || !lies_inside(primitives[i], scene.target)) continue;
+    const auto [first, is_new] = firsts.emplace(shape_of(primitives[i]), i);
+    if (!is_new) pairs.emplace_back(first->second, i);
+  }
+  if (pairs.empty()) return;
+  const auto places = places_of(primitives, drawn);
+  for (const auto& pair : pairs) {
+    const std::size_t first = pair.first;
+    const std::size_t second = pair.second;
+    const PixelPosition from = pixel_of_first(primitives[first]);
+    const PixelPosition to = pixel_of_first(primitives[second]);
+    SceneImage image;
+    image.text = fmt::format("is primitive {}, which is moved by {} pixels to the right and {} up",
+                             second, to.x - from.x, to.y - from.y);
+    Variances variances(image, found);
+    const auto say = [&](const std::pair<int, int>& place, const char* what) {
+      variances.add({from.x + place.second, from.y + place.first}, static_cast<int>(first),
+                    fmt::format("a fragment of primitive {} {}", first, what));
+    };
+    for (const auto& place : places[first])
+      if (!places[second].contains(place)) say(place, "is not in its image");
+    for (const auto& place : places[second])
+      if (!places[first].contains(place)) say(place, "is in its image alone");
+  }
 }
 
 }  // namespace edgecase

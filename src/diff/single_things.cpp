@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "diff/values/value_diff.h"
+#include "rules/all_rules.h"
 
 namespace edgecase {
 namespace {
@@ -14,24 +15,41 @@ using Kind = SingleThing::Kind;
 
 constexpr int kRulingOnUnits = 64;
 constexpr int kRulingOnPlaces = 65;
-
-bool is_of_unit(const SingleThing& thing) {
-  return thing.kind == Kind::offset_unit;
-}
+constexpr int kRulingOnAlpha = 69;
 
 std::string text_of(const SingleThing& thing) {
-  if (is_of_unit(thing))
-    return fmt::format("a unit of polygon offset in a depth buffer of {} bits", thing.of);
+  switch (thing.kind) {
+    case Kind::offset_unit:
+      return fmt::format("a unit of polygon offset in a depth buffer of {} bits", thing.of);
+    case Kind::alpha:
+      return fmt::format("the least alpha of which pixel ({}, {}) keeps {} of {} samples", thing.x,
+                         thing.y, thing.sample, thing.of);
+    case Kind::sample_x:
+    case Kind::sample_y:
+    case Kind::sample_cells:
+      break;
+  }
   return fmt::format("{} of sample {} of {} in its pixel", thing.kind == Kind::sample_x ? 'x' : 'y',
                      thing.sample, thing.of);
 }
 
 Disagreement refutation_of(const SingleThing& thing) {
-  const bool is_unit = is_of_unit(thing);
-  Disagreement d =
-      value_disagreement({0, 0}, -1, is_unit ? RuleId::offset_unit : RuleId::sample_positions,
-                         is_unit ? kRulingOnUnits : kRulingOnPlaces);
-  d.sample = is_unit ? 0 : thing.sample;
+  switch (thing.kind) {
+    case Kind::offset_unit:
+      return value_disagreement({0, 0}, -1, RuleId::offset_unit, kRulingOnUnits);
+    case Kind::alpha: {
+      Disagreement d = value_disagreement({thing.x, thing.y}, -1, RuleId::sample_alpha_to_coverage,
+                                          kRulingOnAlpha);
+      d.legality = legality_against(kRulingOnAlpha);
+      return d;
+    }
+    case Kind::sample_x:
+    case Kind::sample_y:
+    case Kind::sample_cells:
+      break;
+  }
+  Disagreement d = value_disagreement({0, 0}, -1, RuleId::sample_positions, kRulingOnPlaces);
+  d.sample = thing.sample;
   return d;
 }
 
@@ -56,19 +74,19 @@ std::optional<Disagreement> refutation_by_interval(const Result::Shown& shown,
 
 std::optional<Disagreement> refutation_of_cells(const Result::Shown& shown,
                                                 const Meetings& meetings) {
-  const auto [kind, of, sample] = shown.thing;
+  const int of = shown.thing.of;
+  const int sample = shown.thing.sample;
   const auto x = meetings.find({Kind::sample_x, of, sample});
   const auto y = meetings.find({Kind::sample_y, of, sample});
   if (x == meetings.end() || y == meetings.end()) return std::nullopt;
   const Interval across = x->second.where;
   const Interval up = y->second.where;
-  if (shown.cells.meets(across.low, across.high, up.low, up.high)) return std::nullopt;
+  if (shown.cells->meets(across.low, across.high, up.low, up.high)) return std::nullopt;
   Disagreement d = refutation_of(shown.thing);
   d.explanation = fmt::format(
       "sample {} of {} lies from ({:.9g}, {:.9g}) to ({:.9g}, {:.9g}) of its pixel by other "
-      "answers, "
-      "as by that to {}; with it there, some of what this answer covers or leaves out of it cannot "
-      "be. Ruling {}",
+      "answers, as by that to {}; with it there, some of what this answer covers or leaves out of "
+      "it cannot be. Ruling {}",
       sample, of, across.low, up.low, across.high, up.high, x->second.lowest, d.ruling);
   return d;
 }
@@ -114,7 +132,7 @@ std::map<std::string, std::string> traits_of(const Meetings& meetings) {
   std::map<std::string, std::string> traits;
   for (const auto& [thing, meeting] : meetings) {
     const Interval where = meeting.where;
-    if (is_of_unit(thing)) {
+    if (thing.kind == Kind::offset_unit) {
       traits[fmt::format("{}{} bits", kUnitTrait, thing.of)] =
           fmt::format("{:.4g} to {:.4g}", where.low, where.high);
     } else if (const auto y = meetings.find({Kind::sample_y, thing.of, thing.sample});
@@ -133,7 +151,7 @@ bool is_of_a_thing(const std::string& trait) {
 
 void report_refuted_things(const Meetings& meetings, Result& result) {
   std::erase_if(result.disagreements, [](const Disagreement& d) {
-    return d.ruling == kRulingOnUnits || d.ruling == kRulingOnPlaces;
+    return d.ruling == kRulingOnUnits || d.ruling == kRulingOnPlaces || d.ruling == kRulingOnAlpha;
   });
   std::vector<Disagreement> refuted;
   for (const Result::Shown& shown : result.shown)

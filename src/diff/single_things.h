@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Things that are one for a renderer on a surface, whatever it draws there: the unit of polygon
-// offset of a depth buffer (14.6.5), the place of a sample (8.8). Each answer may show bounds of
+// offset of a depth buffer (14.6.5), the place of a sample (8.8), the least alpha of which a pixel
+// keeps so many samples (14.9.3). Each answer may show bounds of
 // them (Result::shown), and each may be right alone while two of them cannot both be.
 #pragma once
 

@@ -98,7 +98,15 @@ bool precedes(const Fragment& a, const Fragment& b);
 struct Variance {
   PixelPosition pixel;  // of the scene
   int primitive = -1;   // -1: the pixel as a whole
+  int ruling = 0;       // that judges it
   std::string what;     // what differs, and how the image does
+};
+
+// Images of a scene that were held against it, and those that the renderer does not support.
+struct ImageCounts {
+  int drawn = 0;
+  int refused = 0;
+  friend bool operator==(const ImageCounts&, const ImageCounts&) = default;
 };
 
 struct Rendering {
@@ -134,7 +142,7 @@ struct Rendering {
   // alpha, row by row from the bottom. A pass shows the colour of the last fragment, as the shader
   // writes it, or the clear colour. `pixels` is to_unorm8 of this.
   std::vector<double> accumulated;
-  int images = 0;  // of the scene, that were drawn as well (run/invariant_renderer.h)
+  ImageCounts images;  // of the scene (run/invariant_renderer.h)
   std::vector<Variance> variances;
 
   std::size_t pixel_index(int x, int y) const {

@@ -88,6 +88,7 @@ struct ResultOutline {
   std::vector<std::string> faults;  // ids of the known faults that account for something in it
   // Of an unexpected answer that was asked for a second time, what came then, where it was another.
   std::optional<Judgement> again;
+  ImageCounts images;  // of the scene (diff/invariance.h)
   // Of the answer and of all else that its comparison depends on (run/answer_digest.h); 0: unknown.
   std::uint64_t answer_digest = 0;
   // The hypotheses about its renderer that explain the answer, and marks of what was asked
@@ -106,10 +107,13 @@ struct SingleThing {
     sample_x,     // where a sample lies in its pixel, in pixels from the lower left corner
     sample_y,
     sample_cells,  // both together: a set of places
+    alpha,         // the least alpha of which a pixel keeps so many samples
   };
   Kind kind = Kind::offset_unit;
   int of = 0;      // bits of the depth buffer, or samples of the target
-  int sample = 0;  // its index
+  int sample = 0;  // its index, or how many are kept
+  int x = 0;       // of alpha: the pixel
+  int y = 0;
   friend auto operator<=>(const SingleThing&, const SingleThing&) = default;
 };
 
@@ -118,7 +122,8 @@ inline constexpr auto kNames<SingleThing::Kind> =
     std::to_array<Named<SingleThing::Kind>>({{SingleThing::Kind::offset_unit, "offset unit"},
                                              {SingleThing::Kind::sample_x, "sample x"},
                                              {SingleThing::Kind::sample_y, "sample y"},
-                                             {SingleThing::Kind::sample_cells, "sample cells"}});
+                                             {SingleThing::Kind::sample_cells, "sample cells"},
+                                             {SingleThing::Kind::alpha, "alpha"}});
 
 // In place of a primitive: evidence on all differing values of an answer together.
 inline constexpr int kAllValues = -2;
@@ -159,7 +164,8 @@ struct Result : ResultOutline {
     SingleThing thing;
     double low = 0;
     double high = 0;
-    PlaceCells cells = {};
+    Shared<PlaceCells> cells = {};  // of sample_cells alone
+    friend bool operator==(const Shown&, const Shown&) = default;
   };
 
   // In full: of gross faults only the first (diff/findings/add_disagreement.h). Sorted by pixel,

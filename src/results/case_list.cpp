@@ -186,17 +186,20 @@ void carry(Io& io, T& evidence) {
             evidence.broken_clause, evidence.pass);
 }
 
-inline void carry_cells(wire::Writer& io, const PlaceCells& cells) {
-  io.bytes(&cells, sizeof(cells));
+inline void carry_cells(wire::Writer& io, const Shared<PlaceCells>& cells) {
+  io.bytes(&*cells, sizeof(PlaceCells));
 }
-inline void carry_cells(wire::Reader& io, PlaceCells& cells) {
-  io.bytes(&cells, sizeof(cells));
+inline void carry_cells(wire::Reader& io, Shared<PlaceCells>& cells) {
+  PlaceCells own;
+  io.bytes(&own, sizeof(own));
+  cells = own;
 }
 
 template <class Io, Of<Result::Shown> T>
 void carry(Io& io, T& shown) {
-  carry_all(io, shown.thing.kind, shown.thing.of, shown.thing.sample, shown.low, shown.high);
-  carry_cells(io, shown.cells);
+  auto& thing = shown.thing;
+  carry_all(io, thing.kind, thing.of, thing.sample, thing.x, thing.y, shown.low, shown.high);
+  if (thing.kind == SingleThing::Kind::sample_cells) carry_cells(io, shown.cells);
 }
 
 template <class Io, Of<Result::LevelPoint> T>

@@ -186,8 +186,12 @@ Result::LevelPoint to_level(const ReadJson& json) {
 }
 
 Result::Shown to_shown(const ReadJson& json) {
-  const SingleThing thing{to_named<SingleThing::Kind>(json.at(0)), WholeNumber(json.at(1)),
-                          WholeNumber(json.at(2))};
+  SingleThing thing{to_named<SingleThing::Kind>(json.at(0)), WholeNumber(json.at(1)),
+                    WholeNumber(json.at(2))};
+  if (thing.kind == SingleThing::Kind::alpha) {
+    thing.x = WholeNumber(json.at(5));
+    thing.y = WholeNumber(json.at(6));
+  }
   if (thing.kind != SingleThing::Kind::sample_cells)
     return {thing, to_number(json.at(3)), to_number(json.at(4))};
   if (const auto cells = PlaceCells::parse(json.at(3).get<std::string>()))
@@ -253,6 +257,10 @@ NumberRun to_number_run(const ReadJson& json) {
   return {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(last)};
 }
 
+ImageCounts to_images(const ReadJson& json) {
+  return {WholeNumber(json.at(0)), WholeNumber(json.at(1))};
+}
+
 Failure to_failure(const ReadJson& json) {
   return {to_named<FailureKind>(json.at("kind")), json.at("reason")};
 }
@@ -261,6 +269,7 @@ void read_judgement(const ReadJson& json, const CaseResults& one, Result& result
   result.verdict = to_named<Verdict>(json.at("verdict"));
   read_member(json, "fingerprint", result.fingerprint);
   read_member(json, "answer_digest", result.answer_digest, to_digest);
+  read_member(json, "images", result.images, to_images);
   read_member(json, "standing", result.standing, to_named<Standing>);
   read_member(json, "standing_reason", result.standing_reason);
   read_member(json, "faults", result.faults);

@@ -41,7 +41,10 @@ void write_pixel_counts(JsonWriter& json, const PixelCounts& counts) {
 void write_shown(JsonWriter& json, const Result::Shown& shown) {
   const SingleThing& thing = shown.thing;
   if (thing.kind == SingleThing::Kind::sample_cells)
-    json.array(name_of(thing.kind), thing.of, thing.sample, shown.cells.text());
+    json.array(name_of(thing.kind), thing.of, thing.sample, shown.cells->text());
+  else if (thing.kind == SingleThing::Kind::alpha)
+    json.array(name_of(thing.kind), thing.of, thing.sample, shown.low, shown.high, thing.x,
+               thing.y);
   else
     json.array(name_of(thing.kind), thing.of, thing.sample, shown.low, shown.high);
 }
@@ -106,6 +109,8 @@ void CaseWriter::write_judgement(const Result& result) {
   if (!result.fingerprint.empty()) json_.member("fingerprint", result.fingerprint);
   if (result.answer_digest != 0)
     json_.member("answer_digest", fmt::format("{:016x}", result.answer_digest));
+  if (result.images != ImageCounts{})
+    json_.key("images").array(result.images.drawn, result.images.refused);
   if (result.standing != Standing::expected) json_.member("standing", name_of(result.standing));
   if (!result.standing_reason.empty()) json_.member("standing_reason", result.standing_reason);
   if (!result.faults.empty()) json_.member("faults", result.faults);

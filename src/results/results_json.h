@@ -23,9 +23,9 @@
 // Cases, a line each, in the order of their ids:
 //
 //   {"case": ID, "head", "fragments", "expect_failures", "pixels", "samples", "figure",
-//    "results": {RENDERER: {"verdict", "fingerprint", "answer_digest", "standing",
-//    "standing_reason", "faults", "again", "failure", "pixel_counts", "disagreements", "counted",
-//    "values", "evidence", "illegal_line_snaps", "refuted", "exact_fragments",
+//    "results": {RENDERER: {"verdict", "fingerprint", "answer_digest", "images",
+//    "standing", "standing_reason", "faults", "again", "failure", "pixel_counts", "disagreements",
+//    "counted", "values", "evidence", "illegal_line_snaps", "refuted", "exact_fragments",
 //    "rendered_fragments", "shown", "ramp", "pixels", "samples", "exact_pixels", "exact_samples"}}}
 //
 // "head" is the number, from 0, of an earlier line with the fields that several cases share. Cases
@@ -44,23 +44,24 @@
 // Multisampled cases and their results have "samples" (results/samples_json.h).
 //
 // A result's "answer_digest" is 16 hexadecimal digits, and absent if it is unknown. It is of the
-// answer as it came: the bytes of a worker and the line of its recording have two. Its "standing"
-// is absent if it is expected. Its "faults" are the ids of the known faults that account for
-// something in it; "again", present for flakes only, is {"verdict", "fingerprint"} of the second
-// answer. Its "pixel_counts" are {"agree", "convention", "permitted", "contested",
-// "violation", "same"} (model/result.h), and absent if nothing differs. A disagreement's "upright",
-// present only in answers that are reported as upside down, is {"rule", "ruling", "legality",
-// "cause"} without that (Disagreement::upright). Of a gross fault "disagreements" are the first,
-// and the rest are "counted": a member for each class of them (CountedDisagreements), with the
-// members of a disagreement that its class has, their number as "count", and their "pixels" as runs
+// answer as it came: the bytes of a worker and the line of its recording have two. "images",
+// present if the scene has images (diff/invariance.h), are [drawn, refused]. Its "standing" is
+// absent if it is expected. Its "faults" are the ids of the known faults that account for something
+// in it; "again", present for flakes only, is {"verdict", "fingerprint"} of the second answer. Its
+// "pixel_counts" are {"agree", "convention", "permitted", "contested", "violation", "same"}
+// (model/result.h), and absent if nothing differs. A disagreement's "upright", present only in
+// answers that are reported as upside down, is {"rule", "ruling", "legality", "cause"} without that
+// (Disagreement::upright). Of a gross fault "disagreements" are the first, and the rest are
+// "counted": a member for each class of them (CountedDisagreements), with the members of a
+// disagreement that its class has, their number as "count", and their "pixels" as runs
 // (results/packed_text.h). "differing" of values are places
 // (results/packed_text.h), "figure" is one of results/findings_json.h. "exact_fragments" and
 // "rendered_fragments" are what either side makes where they differ (Result::exact_fragments,
 // results/samples_json.h). "ramp" is a list of [x, y, exact, low, high, rendered]: levels of detail
-// along a row of pixels (Result::ramp). "shown" is a list of [thing, of, sample, low, high], or of
-// [thing, of, sample, cells]: what the answer shows of things that are one in all answers
-// (Result::shown). Of supersampled cases, evidence has a "pass", and a disagreement's "sample" is a
-// pass, both counted from 0; -1 is the image of all passes.
+// along a row of pixels (Result::ramp). "shown" is a list of [thing, of, sample, low, high] and,
+// of an alpha, x and y, or of [thing, of, sample, cells]: what the answer shows of things that are
+// one in all answers (Result::shown). Of supersampled cases, evidence has a "pass", and a
+// disagreement's "sample" is a pass, both counted from 0; -1 is the image of all passes.
 //
 // While a run goes on, what it has finished lies in a file of this format that is cut off: the
 // cases in any order, each behind a head of its own, and the first line again whenever more is

@@ -77,10 +77,11 @@ std::uint64_t AnswerDigests::of(const Case& one, const Rendering& rendering,
   digest.add(text_of(facts_of(info, nullptr)))
       .add(one.file.generic_string())
       .add(digest_of_source(one));
-  digest.add(one.id).add(std::to_string(outcome_digest)).add(std::to_string(rendering.images));
+  digest.add(one.id).add(std::to_string(outcome_digest));
+  digest.add(fmt::format("{} {}", rendering.images.drawn, rendering.images.refused));
   for (const Variance& variance : rendering.variances)
-    digest.add(fmt::format("{} {} {} {}", variance.pixel.x, variance.pixel.y, variance.primitive,
-                           variance.what));
+    digest.add(fmt::format("{} {} {} {} {}", variance.pixel.x, variance.pixel.y, variance.primitive,
+                           variance.ruling, variance.what));
   return std::max<std::uint64_t>(digest.number(), 1);
 }
 

@@ -14,6 +14,7 @@ void forget_standing(ResultOutline& answer) {
   ResultOutline kept;
   kept.failure = std::move(answer.failure);
   kept.answer_digest = answer.answer_digest;
+  kept.images = answer.images;
   kept.hypotheses = std::move(answer.hypotheses);
   answer = std::move(kept);
 }

@@ -47,6 +47,8 @@ void InvariantRenderer::render(std::span<const Task> tasks, const OutcomeSink& s
     ids.push_back(id);
     Task task = tasks[request.question->task];
     task.id = ids.back();
+    const SceneImage* const image = request.image;
+    if (image != nullptr && !image->has_values && !image->has_pixels) task.coverage_only = true;
     task.scene = &scene;
     all.push_back(std::move(task));
     requests.push_back(request);
@@ -54,11 +56,16 @@ void InvariantRenderer::render(std::span<const Task> tasks, const OutcomeSink& s
   };
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     Question& question = questions.emplace_back(Question{
-        i, tasks[i].with_images ? images_of(*tasks[i].scene) : std::vector<SceneImage>{}, 0});
+        i,
+        tasks[i].with_images ? images_of(*tasks[i].scene, suggested_) : std::vector<SceneImage>{},
+        0});
     ask({&question, nullptr, false}, tasks[i].id, *tasks[i].scene);
+    std::shared_ptr<const Scene> first;
     for (const SceneImage& image : question.images) {
       const std::string id = fmt::format("{}~{}", tasks[i].id, &image - question.images.data() + 1);
-      if (image.first) ask({&question, &image, false}, id + "a", *image.first);
+      if (image.first && image.first != first)
+        ask({&question, &image, false}, id + "a", *image.first);
+      first = image.first;
       ask({&question, &image, true}, id, image.second);
     }
   }
@@ -90,7 +97,9 @@ void InvariantRenderer::render(std::span<const Task> tasks, const OutcomeSink& s
         if (drawn != nullptr) before = std::move(*drawn);
       } else if (drawn != nullptr && (!image->first || before)) {
         find_variances(*image, image->first ? *before : *rendering, *drawn, rendering->variances);
-        ++rendering->images;
+        ++rendering->images.drawn;
+      } else {
+        ++rendering->images.refused;
       }
     }
     if (--left > 0) return;

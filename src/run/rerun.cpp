@@ -133,7 +133,8 @@ class Rerun {
   void ask(std::span<const Question> questions) {
     auto made =
         make_renderer(options_.renderers[questions.front().renderer], options_.renderer_options);
-    InvariantRenderer renderer(std::move(std::get<std::unique_ptr<Renderer>>(made)));
+    InvariantRenderer renderer(std::move(std::get<std::unique_ptr<Renderer>>(made)),
+                               options_.suggested_images);
     std::vector<Case> cases;
     for (const Question& question : questions) cases.push_back(suite_.cases[question.index]);
     std::vector<Task> tasks;

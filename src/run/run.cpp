@@ -101,8 +101,10 @@ class Run {
   Renderer& renderer_of(std::size_t index, Renderers& own) const {
     std::unique_ptr<Renderer>& renderer = own[index];
     if (renderer == nullptr)
-      renderer = std::make_unique<InvariantRenderer>(std::get<std::unique_ptr<Renderer>>(
-          make_renderer(options_.renderers[index], options_.renderer_options)));
+      renderer = std::make_unique<InvariantRenderer>(
+          std::get<std::unique_ptr<Renderer>>(
+              make_renderer(options_.renderers[index], options_.renderer_options)),
+          options_.suggested_images);
     return *renderer;
   }
 

@@ -46,7 +46,8 @@ struct RunOptions {
   std::vector<std::string> renderers;  // names that make_renderer knows
   Profiles profiles;                   // of some of them
   RendererOptions renderer_options;
-  bool invariance = false;  // the images of all cases are drawn, too
+  bool invariance = false;        // the images of all cases are drawn, too
+  bool suggested_images = false;  // and those of which the specification only suggests how
   // What comparing one answer may take; beyond that it is not run (timed-out).
   std::chrono::milliseconds comparison_patience{60'000};
   int jobs = 1;                                            // threads, at least 1

@@ -181,7 +181,7 @@ std::vector<TrialAnswer> Trial::ask(std::span<const Scene> scenes) {
   const std::vector<std::size_t> order = by_size(scenes);
   std::vector<Task> tasks;
   for (std::size_t k = 0; k < order.size(); ++k)
-    tasks.push_back({fmt::format("search/{}", asked_ + k), &scenes[order[k]]});
+    tasks.push_back({fmt::format("search/{}", asked_ + k), &scenes[order[k]], false, with_images_});
   std::vector<TrialAnswer> answers(scenes.size());
   if (stopped()) throw SearchStopped{};
   renderer_.render(tasks, [&](std::size_t k, Outcome outcome) {

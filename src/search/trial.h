@@ -92,6 +92,10 @@ class Trial {
   // The renderer must outlive the trial.
   Trial(Renderer& renderer, TrialOptions options);
 
+  // Whether the images of scenes are drawn, too (diff/invariance.h): by a renderer that can, from
+  // now on. At first they are not.
+  void ask_for_images(bool with_images) { with_images_ = with_images; }
+  bool asks_for_images() const { return with_images_; }
   // One answer for each scene, in order; the renderer gets them all at once. Throws SearchStopped.
   std::vector<TrialAnswer> ask(std::span<const Scene> scenes);
   TrialAnswer ask(const Scene& scene);
@@ -111,6 +115,7 @@ class Trial {
   Renderer& renderer_;
   TrialOptions options_;
   ResolvedPolicy policy_;
+  bool with_images_ = false;
   std::size_t asked_ = 0;
 };
 

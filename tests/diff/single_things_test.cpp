@@ -24,6 +24,26 @@ Result showing(SingleThing thing, double low, double high) {
   return result;
 }
 
+// A pixel that keeps a sample of an alpha of 0.3 keeps it of 0.5.
+TEST(SingleThings, WhatAPixelKeepsNeverFallsAsAlphaGrows) {
+  const SingleThing first{SingleThing::Kind::alpha, 4, 2, 3, 1};
+  const SingleThing other{SingleThing::Kind::alpha, 4, 2, 4, 1};
+  Result keeps = showing(first, 0, 0.3), loses = showing(first, 0.5, 1);
+  Result elsewhere = showing(other, 0.5, 1), same = showing(first, 0.3, 1);
+  RunReader reader;
+  Result* const all[] = {&keeps, &loses, &elsewhere, &same};
+  for (std::size_t i = 0; i < std::size(all); ++i) reader.add(*all[i], std::string(1, "abcd"[i]));
+  judge(all, Latitude::opengl, reader.reading());
+  EXPECT_EQ(std::ranges::count(all, Verdict::agree, &Result::verdict), 3);
+  EXPECT_EQ(loses.verdict, Verdict::contested);
+  ASSERT_EQ(loses.disagreements.size(), 1u);
+  EXPECT_EQ(loses.disagreements[0].x, 3);
+  EXPECT_EQ(loses.disagreements[0].rule, RuleId::sample_alpha_to_coverage);
+  EXPECT_EQ(loses.disagreements[0].explanation,
+            "the least alpha of which pixel (3, 1) keeps 2 of 4 samples is at least 0.5 by this "
+            "answer, and at most 0.3 by that to a: both cannot be, since it is one. Ruling 69");
+}
+
 TEST(SingleThings, MostIntervalsMeetInOne) {
   EXPECT_FALSE(where_most_meet({}));
   const auto where = where_most_meet({{{0, 2}}, {{1, 3}}, {{5, 6}}});
@@ -102,11 +122,14 @@ TEST(SingleThings, WhatMeetsIsNotTold) {
 TEST(SingleThings, CellsThatNowhereMeetTheOtherAnswersAreRefuted) {
   const auto x = showing({SingleThing::Kind::sample_x, 4, 2}, 0.375, 0.4375);
   const auto y = showing({SingleThing::Kind::sample_y, 4, 2}, 0.5, 0.5625);
+  const SingleThing thing{SingleThing::Kind::sample_cells, 4, 2};
+  PlaceCells cells;
+  for (const double at : {0.03, 0.97}) cells.add(at, at);
   Result ring;
-  ring.shown = {{{SingleThing::Kind::sample_cells, 4, 2}, 0, 0, {}}};
-  for (const double at : {0.03, 0.97}) ring.shown[0].cells.add(at, at);
-  Result near = ring;
-  near.shown[0].cells.add(0.46, 0.51);  // the cell to the right has a border in common
+  ring.shown = {{thing, 0, 0, cells}};
+  cells.add(0.46, 0.51);  // the cell to the right has a border in common
+  Result near;
+  near.shown = {{thing, 0, 0, cells}};
   RunReader reader;
   reader.add(x, "x");
   reader.add(y, "y");
@@ -115,9 +138,9 @@ TEST(SingleThings, CellsThatNowhereMeetTheOtherAnswersAreRefuted) {
   judge(both, Latitude::opengl, reading);
   EXPECT_EQ(ring.verdict, Verdict::violation);
   EXPECT_EQ(near.verdict, Verdict::agree);
-  const auto again = PlaceCells::parse(near.shown[0].cells.text());
+  const auto again = PlaceCells::parse(cells.text());
   ASSERT_TRUE(again);
-  EXPECT_EQ(*again, near.shown[0].cells);
+  EXPECT_EQ(*again, cells);
   EXPECT_FALSE(PlaceCells::parse("0"));
 }
 

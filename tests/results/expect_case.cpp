@@ -99,6 +99,8 @@ void expect_result(const Result& a, const Result& b) {
   expect_fragments(a.exact_fragments, b.exact_fragments);
   expect_fragments(a.rendered_fragments, b.rendered_fragments);
   EXPECT_EQ(a.faults, b.faults);
+  EXPECT_EQ(a.images, b.images);
+  EXPECT_EQ(a.shown, b.shown);
   EXPECT_EQ(a.again, b.again);
   EXPECT_EQ(std::tie(a.verdict, a.fingerprint, a.illegal_line_snaps, a.pixels, a.standing,
                      a.standing_reason, a.answer_digest),

@@ -88,6 +88,11 @@ Result full_result() {
   result.verdict = Verdict::permitted;
   result.fingerprint = "0123456789abcdef";
   result.answer_digest = 0xfedcba9876543210;
+  result.images = {5, 1};
+  PlaceCells cells;
+  cells.add(0.375, 0.125);
+  result.shown = {{{SingleThing::Kind::offset_unit, 16, 0}, 1.0 / 65536, 1.0 / 3},
+                  {{SingleThing::Kind::sample_cells, 4, 2}, 0, 0, cells}};
   result.disagreements = {disagreement(), Disagreement{}};
   result.values = {aggregate()};
   result.evidence = {{4,

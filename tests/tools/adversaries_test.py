@@ -132,7 +132,8 @@ class Adversaries(CommandTest):
             release = re.search(r"Mesa \S+", renderer["version"])[0]
             known = json.loads((ROOT / f"cases/known/{driver}.json").read_text("utf-8"))["faults"]
             for fault in known:
-                if release in fault.get("cases_on", {}) and fault.get("rule") != "sample.positions":
+                takes_more = "sample.positions" in fault.get("rule", "")
+                if release in fault.get("cases_on", {}) and not takes_more:
                     self.assertIn((f"egl:{driver}", fault["id"]), seen)
 
 

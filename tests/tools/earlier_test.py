@@ -53,7 +53,7 @@ class OfTheSuite(Earlier):
         results = [case["results"]["egl:llvmpipe"] for case in self.read()["cases"]]
         drawn = sum("failure" not in result for result in results)
         self.assertGreater(sum(bool(result["values"]) for result in results), 10)
-        self.assertGreater(sum(bool(result["disagreements"]) for result in results), 10)
+        self.assertGreater(sum(bool(result["disagreements"]) for result in results), 5)
         self.check(drawn, *SAMPLE, *MESA)
         self.assertEqual(self.run_to("reports", *SAMPLE, *MESA, "--ask-all"), 0)
 
@@ -82,7 +82,8 @@ class OfTheSuite(Earlier):
         self.run_to("reports", *SAMPLE, *MESA)
         # Where all agree, results have no pictures for the other renderer to be held against.
         results = [case["results"]["egl:llvmpipe"] for case in self.read()["cases"]]
-        shown = sum(result["verdict"] not in ("agree", "not-run") for result in results)
+        shown = sum("pixels" in case and case["results"]["egl:llvmpipe"]["verdict"] != "not-run"
+                    for case in self.read()["cases"])
         self.check(shown, *both)
         drawn = sum("failure" not in result for result in results)
         self.check(drawn, *SAMPLE, *MESA)

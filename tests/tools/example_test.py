@@ -49,8 +49,8 @@ class PythonExample(CommandTest):
         self.assertLess(refused, drawn / 100)
 
     def test_it_agrees_on_what_leaves_the_clip_volume(self):
-        drawn, refused = self.check("this example ", ROOT / "cases/clipping",
-                                                       *shard(1, 5))
+        drawn, refused = self.check("this example ", ROOT / "cases/clipping", "--exclude",
+                                    "clipping/lines/wide-*", *shard(1, 5))
         self.assertGreater(drawn, 500 / COUNT)
         self.assertLess(refused, drawn / 20)
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Laws between two answers: renderers that break one are told so by its ruling, and by both answers;
 one that keeps them is not, and nobody is asked for images that nothing wants."""
+import json
 import shlex
 import sys
 import unittest
@@ -35,12 +36,36 @@ class Invariance(CommandTest):
         told, cases = self.broken("far-drops", MOVABLE, "fragment.invariant")
         self.assertGreater(cases, 0)
         for text in told:
-            self.assertRegex(text, r"is in the scene and not in its image; it is moved by \d+ pixels")
+            self.assertRegex(text, r"is in the scene and not in its image; the image is moved by \d+ pixels")
 
     def test_fragments_that_depend_on_the_colour_mask(self):
         told, cases = self.broken("mask-darkens", VALUES, "fragment.invariant")
         self.assertGreater(cases, 0)
         self.assertIn("has all colours masked", told[0])
+
+    def test_fragments_that_depend_on_other_state(self):
+        for fault, words in (("box-drops", "has a scissor box"),
+                             ("second-drops", "follows a first drawing of the same")):
+            with self.subTest(fault):
+                told, cases = self.broken(fault, MOVABLE, "fragment.invariant")
+                self.assertGreater(cases, 0)
+                for text in told:
+                    self.assertIn(words, text)
+
+    def test_fragments_that_depend_on_blending_are_contested(self):
+        found = self.results(*MOVABLE, "--against", mutant("blend-drops"), "--invariance",
+                             expect=AS_EXPECTED)["cases"]
+        told = [only_result(case) for case in found]
+        self.assertIn("contested", [result["verdict"] for result in told])
+        for result in told:
+            self.assertEqual([d["ruling"] for d in result.get("disagreements", [])],
+                             [70] * len(result.get("disagreements", [])))
+
+    def test_a_find_of_an_image_is_minimized_with_its_images(self):
+        written = self.command("minimize", *MOVABLE[:1], "--against", mutant("box-drops"))
+        case = json.loads(written.stdout)
+        self.assertTrue(case["invariant"])
+        self.assertEqual(case["rules"], ["fragment.invariant"])
 
     def test_a_scene_that_has_two_pictures(self):
         told, _ = self.broken("forgetful", VALUES, "fragment.invariant")

@@ -19,8 +19,11 @@ FAULT is `none` or one of these.
   back-wraps         decr and incr wrap of back faces alone
   replace-masked     replace stores the reference under the read mask
   mask-darkens       fragments of a draw that writes no colour have half of it
+  box-drops          the last fragment of a scissor box that is not the whole target is lost
+  second-drops       the last fragment is lost where all is drawn twice
+  blend-drops        the last fragment is lost where colours are added
   far-drops          pixels from the 32nd column on miss the last fragment
-  forgetful          every third drawing has another colour in a pixel
+  forgetful          every second drawing has another colour in a pixel
   float-unit         a unit of polygon offset grows with the depth, as in a buffer of floats
 """
 import io
@@ -122,6 +125,16 @@ def spoil(draw, fault):
         spoil_face(face, fault)
 
 
+def drops_last(scene, fault):
+    """Whether a fault of a scene's state is asked for by it."""
+    draws, target = scene["draws"], scene["target"]
+    whole = [0, 0, target["width"], target["height"]]
+    return (fault == "box-drops" and draws[0].get("scissor", whole) != whole
+            or fault == "second-drops" and len(draws) > 1 and draws[0] == draws[-1]
+            or fault == "blend-drops" and draws[0].get("blend", {}).get("color", {}).get(
+                "destination") == "one")
+
+
 def answer(scene, fault):
     if fault == "clear-depth-1":
         scene["target"].pop("clear_depth", None)
@@ -135,9 +148,12 @@ def answer(scene, fault):
     for lost in [f for f in fragments if f["x"] >= 32][-1:] if fault == "far-drops" else []:
         fragments.remove(lost)
         reply["hits"][lost["y"] * scene["target"]["width"] + lost["x"]] -= 1
+    if fragments and drops_last(scene, fault):
+        fragments.pop()
+        del reply["hits"]
     if fault == "forgetful":
         answer.times = getattr(answer, "times", 0) + 1
-        if answer.times % 3 == 2:
+        if answer.times % 2 == 0:
             reply["pixels"][0] ^= 255
     return reply
 

@@ -133,10 +133,11 @@ void SuiteRunOptions::add_to(CLI::App& command) {
       ->check(in_range(0.01, 3600.0));
   command.add_option("--progress", progress, "Progress on standard error")
       ->check(CLI::IsMember({"auto", "never"}));
-  command.add_flag("--invariance", invariance,
-                   "Draw each scene again, moved, with its colours masked and unchanged, and hold "
-                   "the answers against each other (always so with --suite core and of one case "
-                   "that is explained)");
+  command.add_flag(
+      "--invariance", invariance,
+      "Draw each scene again, moved, masked, cut, behind others and unchanged, and hold "
+      "the answers against each other (always so with --suite core and of one case "
+      "that is explained)");
 }
 
 void SuiteRunOptions::take_project(CLI::App& command, bool asks_all) {
@@ -157,7 +158,7 @@ RunOptions SuiteRunOptions::options(const Policy& policy, const Profiles& profil
                           worker_directory(), &interrupted(), project.folders};
   run.comparison_patience =
       std::max(6 * run.renderer_options.timeout, std::chrono::milliseconds(30'000));
-  run.invariance = invariance;
+  run.invariance = run.suggested_images = invariance;
   run.jobs = jobs > 0 ? jobs : static_cast<int>(std::thread::hardware_concurrency());
   run.stop = &interrupted();
   run.known = std::move(known);

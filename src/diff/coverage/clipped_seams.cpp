@@ -96,7 +96,7 @@ struct Seam {
   bool is_clear(Point sample, Fixed more) const {
     return std::ranges::all_of(sides, [&](const SeamSide& side) {
       return std::ranges::all_of(side.others, [&](const Edge& edge) {
-        return robustly_left(edge.a, edge.b, sample, reach + more);
+        return left_and_apart(edge.a, edge.b, sample, reach + more);
       });
     });
   }
@@ -190,10 +190,10 @@ class SeamComparison {
 
   PixelBounds pixels_near(const Seam& seam, const ScenePrimitive& one,
                           const ScenePrimitive& other) const {
-    PixelBounds bounds = common(drawable_bounds(*one.state, scene_.target),
-                                drawable_bounds(*other.state, scene_.target));
+    PixelBounds bounds = common_part(drawable_bounds(*one.state, scene_.target),
+                                     drawable_bounds(*other.state, scene_.target));
     const Viewport& v = one.viewport;
-    bounds = common(bounds, pixels_in(v));
+    bounds = common_part(bounds, pixels_in(v));
     const auto [a, b] = seam.sides[0].seam;
     const auto [c, d] = seam.sides[1].seam;
     const auto [x_low, x_high] = std::minmax({a.x, b.x, c.x, d.x});

@@ -145,11 +145,6 @@ long hits_at(std::span<const PixelPosition> pixels, PixelPosition p) {
   return last - first;
 }
 
-PixelBounds common(const PixelBounds& a, const PixelBounds& b) {
-  return {std::max(a.x_min, b.x_min), std::max(a.y_min, b.y_min), std::min(a.x_max, b.x_max),
-          std::min(a.y_max, b.y_max)};
-}
-
 PixelBounds bounds_near(Point a, Point b, const PixelBounds& target) {
   const auto [x_low, x_high] = std::minmax(a.x, b.x);
   const auto [y_low, y_high] = std::minmax(a.y, b.y);
@@ -157,8 +152,8 @@ PixelBounds bounds_near(Point a, Point b, const PixelBounds& target) {
     return static_cast<int>(
         std::clamp<std::int64_t>(value, -2 * Fixed::kMaxCoordinate, 2 * Fixed::kMaxCoordinate));
   };
-  return common(target, {clip(x_low.floor() - 1), clip(y_low.floor() - 1), clip(x_high.floor() + 1),
-                         clip(y_high.floor() + 1)});
+  return common_part(target, {clip(x_low.floor() - 1), clip(y_low.floor() - 1),
+                              clip(x_high.floor() + 1), clip(y_high.floor() + 1)});
 }
 
 std::map<int, Point> shared_samples(const ScenePrimitive& first, const ScenePrimitive& second,
@@ -276,7 +271,7 @@ std::vector<SharedEdgeFault> shared_edge_faults(std::span<const ScenePrimitive> 
     const auto edge = common_edge(primitives[i], primitives[j]);
     if (!edge) continue;
     const SharedSide side{*edge, std::max(one.reach, other.reach),
-                          bounds_near(edge->a, edge->b, common(one.drawable, other.drawable)),
+                          bounds_near(edge->a, edge->b, common_part(one.drawable, other.drawable)),
                           one.is_multisampled};
     for (const auto& [sample, within] :
          shared_samples(primitives[i], primitives[j], scene.target, positions))

@@ -23,9 +23,6 @@ std::map<int, Point> shared_samples(const ScenePrimitive& first, const ScenePrim
 // How often a pixel occurs among pixels sorted by row.
 long hits_at(std::span<const PixelPosition> pixels, PixelPosition p);
 
-// The pixels that both have.
-PixelBounds common(const PixelBounds& a, const PixelBounds& b);
-
 // Pixels of a target whose centres may lie near the segment a-b: its bounding box, grown by one.
 PixelBounds bounds_near(Point a, Point b, const PixelBounds& target);
 

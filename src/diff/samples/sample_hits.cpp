@@ -97,6 +97,7 @@ class HitComparison {
       return true;
     });
     std::erase_if(whole, [](const WholePixel& one) { return std::isnan(one.alpha); });
+    note_alphas(whole, result);
     const auto is_off = [&](const WholePixel& one) {
       const bool is_end = !(one.alpha > 0 && one.alpha < 1);  // other rulings decide the ends
       return !is_end && !is_proportional(one.alpha, one.kept, rendered_.samples);
@@ -109,6 +110,24 @@ class HitComparison {
     const int ruling = trend == AlphaTrend::falling ? kAlphaRuling : kProportionRuling;
     for (const WholePixel& one : whole)
       if (is_off(one)) report_proportion(one, ruling, result);
+  }
+
+  // Notes of each number of samples whether the pixel keeps it at an alpha no larger than its own,
+  // or at one no smaller. Only of few pixels: a run needs no more than its small scenes.
+  void note_alphas(const std::vector<WholePixel>& whole, Result& result) const {
+    constexpr std::size_t kMost = 256;  // notes
+    const int samples = rendered_.samples;
+    if (context_.scene.target.surface != Surface::fbo ||
+        whole.size() * static_cast<std::size_t>(samples) > kMost)
+      return;
+    for (const auto& [pixel, alpha, kept] : whole) {
+      if (!(alpha > 0 && alpha < 1)) continue;  // other rulings decide the ends
+      for (int count = 1; count <= samples; ++count)
+        result.shown.push_back({{SingleThing::Kind::alpha, samples, count, pixel.x, pixel.y},
+                                count > kept ? alpha : 0,
+                                count > kept ? 1 : alpha,
+                                {}});
+    }
   }
 
   // The number of samples that were written by all fragments of a pixel, which have one alpha;

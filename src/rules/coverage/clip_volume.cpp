@@ -423,7 +423,7 @@ bool polygon_possibly_uncovered(const LoosePolygon& polygon, Point sample) {
   for (std::size_t i = 0; i < v.size(); ++i) {
     const Point a = v[i], b = v[(i + 1) % v.size()];
     if (a == b || is_on_viewport(a, b, polygon.viewport)) continue;
-    if (!robustly_left(a, b, sample, polygon.reach)) return true;
+    if (!left_and_apart(a, b, sample, polygon.reach)) return true;
   }
   return false;
 }

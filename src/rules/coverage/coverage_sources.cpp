@@ -95,7 +95,18 @@ void add_coverage_sources(std::map<int, RulingSource>& of) {
       .khronos =
           "dEQP-GLES3.functional.shaders.invariance.* draws the same geometry with two shaders and "
           "wants no pixel to differ; none moves a primitive or masks colours",
-      .es = "13.1 and B.3: same words"};
+      .es = "13.3 and A.3: same words"};
+  of[70] = {
+      .clause = "A.3 (Invariance Rules)",
+      .quotation =
+          "Fragment generation is invariant with respect to the state values marked with • in Rule "
+          "2",
+      .basis = Basis::contested,
+      .contest =
+          "the letter lists the parameters of blending as strongly suggested; corollary 1 says "
+          "that fragments are invariant to all that rule 2 marks",
+      .khronos = "no test draws a scene twice with other parameters of blending",
+      .es = "A.3: same words"};
 
   of[12] = {
       .clause = "14.5.2.2 (Wide Lines)",

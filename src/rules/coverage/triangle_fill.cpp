@@ -137,6 +137,19 @@ bool robustly_left(Point a, Point b, Point p, Fixed reach) {
   return true;
 }
 
+bool left_and_apart(Point a, Point b, Point p, Fixed reach) {
+  const std::int64_t dx = b.x.raw() - a.x.raw();
+  const std::int64_t dy = b.y.raw() - a.y.raw();
+  const Int128 side = Int128{dx} * (p.y.raw() - a.y.raw()) - Int128{dy} * (p.x.raw() - a.x.raw());
+  if (side <= 0) return false;
+  // What separates the segment from the square round p: the segment's line, or an axis.
+  const auto is_beyond = [&](Fixed from, Fixed to, Fixed at) {
+    return std::min(from, to) >= at + reach || std::max(from, to) <= at - reach;
+  };
+  return side >= (Int128{std::abs(dx)} + std::abs(dy)) * reach.raw() || is_beyond(a.x, b.x, p.x) ||
+         is_beyond(a.y, b.y, p.y);
+}
+
 bool triangle_possibly_uncovered(const Triangle& triangle, Point sample, Fixed reach) {
   const Triangle t = counter_clockwise(triangle);
   for (std::size_t i = 0; i < 3; ++i)

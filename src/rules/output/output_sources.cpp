@@ -95,25 +95,11 @@ void add_output_sources(std::map<int, RulingSource>& of) {
                 "13.7.2: same formulas without the clamp parameter (EXT_polygon_offset_clamp), "
                 "same clamping"};
 
-  of[55] = {
-      .clause =
-          "15.2.3 (Shader Outputs); 17.3.4 (Depth Buffer Test); 13.8.1 (Controlling the Viewport)",
-      .quotation =
-          "depth written by a fragment shader is first clamped to [0, 1] and then converted to "
-          "fixed-point as if it were a window z value",
-      .basis = Basis::contested,
-      .contest =
-          "13.8.1 lets window depths be floating-point numbers, and 17.3.4 names no "
-          "conversion before the comparison; 15.2.3 and 14.6.5 read otherwise",
-      .khronos =
-          "dEQP-GLES3.functional.depth_stencil.*, random fragment_ops (glsFragmentOpUtil, "
-          "es3fRandomFragmentOpTests.cpp): equal tests against depths drawn by the same "
-          "quads, images compared with threshold; they pass only if the same depth "
-          "compares as equal in practice. None isolates it",
-      .es =
-          "14.2.3: the same sentence; 12.6.1: the same pair of sentences (fixed-point or "
-          "floating-point; floating-point must be used for a floating-point depth buffer); 15.1.3 "
-          "same"};
+  of[55] = of[39];
+  of[55].basis = Basis::contested;
+  of[55].contest =
+      "13.8.1 lets window depths be floating-point numbers, and 17.3.4 names no conversion before "
+      "the comparison; 15.2.3 and 14.6.5 read otherwise";
 }
 
 }  // namespace edgecase

@@ -148,7 +148,15 @@ Rule alpha_to_coverage_rule() {
         "14.9.3 only calls them intended, and OpenGL ES 3.2 says the same (15.1.1, 13.8.3). The "
         "Khronos tests (dEQP-GLES3.functional.multisample.*.proportionality_alpha_to_coverage) "
         "want no more than that an image's sum never falls as alpha grows, that 0 keeps nothing "
-        "and that 1 keeps all."}}};
+        "and that 1 keeps all."},
+       {69,
+        "Contested: at one pixel of a framebuffer object, fragments that cover all samples keep "
+        "fewer of them of a larger alpha, be it in another answer of the renderer. 14.9.3 lets the "
+        "function differ between pixels, and wants the number proportional to alpha, so that at "
+        "one pixel it never falls, however it is rounded or drawn. But 14.9.3 calls that intended "
+        "(ruling 52), and the Khronos tests "
+        "(dEQP-GLES3.functional.multisample.*.proportionality_alpha_to_coverage) add up whole "
+        "images, whose sums may grow where a pixel's number falls."}}};
 }
 
 }  // namespace edgecase

@@ -207,6 +207,15 @@ void add_samples_sources(std::map<int, RulingSource>& of) {
                 "alpha and pixel, same mask",
             .es = "15.1.1: same, no alpha to one; 13.8.3 same intent"};
 
+  of[69] = {.clause = of[52].clause,
+            .quotation =
+                "It is intended that the number of 1's in this value be proportional to the sample "
+                "coverage value",
+            .basis = Basis::contested,
+            .contest = of[52].contest,
+            .khronos = of[52].khronos,
+            .es = of[52].es};
+
   of[62] = {.clause = "14.3.1 (Multisampling)",
             .quotation =
                 "Their locations cannot be queried, and may lie inside or outside of the unit "

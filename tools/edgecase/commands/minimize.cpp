@@ -16,6 +16,7 @@
 #include "model/text.h"
 #include "reports/text.h"
 #include "rules/all_rules.h"
+#include "run/invariant_renderer.h"
 #include "run/renderers.h"
 #include "search/find.h"
 #include "search/minimize.h"
@@ -190,8 +191,10 @@ std::string json_text(const Minimized& minimized, const Signature& signature, co
 }
 
 ExitCode deliver(const MinimizeCommand& command, const Case& original, const Minimized& minimized,
-                 const Signature& signature, const RendererInfo& info) {
-  const CaseWords words = words_for(minimized, signature, original, info);
+                 const Signature& signature, const Trial& trial) {
+  const RendererInfo& info = trial.info();
+  CaseWords words = words_for(minimized, signature, original, info);
+  words.invariant = trial.asks_for_images();
   const CaseText written = case_text(minimized.scene, words);
   if (written.text.empty()) {
     print_diagnostics(written.diagnostics);
@@ -209,6 +212,13 @@ ExitCode deliver(const MinimizeCommand& command, const Case& original, const Min
   else if (!write_file(command.output, text))
     return ExitCode::internal;
   return minimized.end == MinimizeEnd::stopped ? ExitCode::unexpected : ExitCode::as_expected;
+}
+
+// Images of the scenes are drawn only where the scenes alone do not show the find.
+void choose_images(Trial& trial, const Scene& scene, const Signature& signature) {
+  trial.ask_for_images(false);
+  const TrialAnswer alone = trial.ask(scene);
+  trial.ask_for_images(std::ranges::find(alone.signatures, signature) == alone.signatures.end());
 }
 
 // Returns true if the renderer draws anything at all; otherwise its failure at a case is no find.
@@ -261,15 +271,18 @@ ExitCode minimize_case(const MinimizeCommand& command, const Case& original,
       command.renderer,
       {options.policy, std::chrono::milliseconds(static_cast<int>(command.timeout * 1000)),
        worker_directory(), &interrupted(), command.project.folders});
-  Trial trial(*std::get<std::unique_ptr<Renderer>>(made), options);
+  InvariantRenderer renderer(std::move(std::get<std::unique_ptr<Renderer>>(made)));
+  Trial trial(renderer, options);
+  trial.ask_for_images(true);
   const InterruptGuard guard;
   try {
     ExitCode exit = ExitCode::as_expected;
     const TrialAnswer answer = trial.ask(original.scene);
     const auto signature = find_signature(command, original, answer, pixel, trial, exit);
     if (!signature) return exit;
+    choose_images(trial, original.scene, *signature);
     const Minimized minimized = minimize(original.scene, *signature, trial, {command.max_asks});
-    return deliver(command, original, minimized, *signature, trial.info());
+    return deliver(command, original, minimized, *signature, trial);
   } catch (const SearchStopped&) {
     print_error("interrupted before anything was found");
     return ExitCode::unexpected;
