@@ -171,7 +171,7 @@ SceneImage blended(const std::shared_ptr<const Scene>& enabled) {
     image.second.target.depth = DepthFormat::depth24;
   }
   image.has_values = true;
-  image.ruling = 70;
+  image.ruling = kRulingOnSuggestedImages;
   return image;
 }
 

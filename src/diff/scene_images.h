@@ -14,6 +14,9 @@
 
 namespace edgecase {
 
+constexpr int kRulingOnImages = 67;
+constexpr int kRulingOnSuggestedImages = 70;
+
 struct SceneImage {
   std::string text;  // what it is: "is moved by 47 pixels to the right and 45 up"
   // What it is an image of; null: the scene itself. Images that follow each other may share it.
@@ -27,9 +30,9 @@ struct SceneImage {
   std::optional<PixelBounds> part;  // of `first`: nothing else is compared
   // Whether depths and colours of fragments are to be the same, and not only that they are there.
   bool has_values = false;
-  bool has_pixels = false;  // whether colours of the target are
-  bool has_tests = false;   // whether depths, stencils and hits are
-  int ruling = 67;          // that judges what differs
+  bool has_pixels = false;       // whether colours of the target are
+  bool has_tests = false;        // whether depths, stencils and hits are
+  int ruling = kRulingOnImages;  // that judges what differs
 };
 
 // The images of a scene about which the specification speaks:

@@ -45,8 +45,7 @@ Rule point_clip_rule() {
   rule.spec = "13.7 (primitive clipping)";
   rule.latitude =
       "OpenGL may draw a point whose vertex lies beyond the viewport's sides (ruling 42), OpenGL "
-      "ES "
-      "must (ruling 68); ruling 6 judges the result";
+      "ES must (ruling 68); ruling 6 judges the result";
   rule.standard = "as-set";
   rule.alternatives = alternatives_of<PointClip>();
   return rule;

@@ -63,9 +63,10 @@ bool triangle_possibly_uncovered(const Triangle& triangle, Point sample, Fixed r
 // True if p lies strictly to the left of a -> b for every move of a and b by less than `reach`.
 bool robustly_left(Point a, Point b, Point p, Fixed reach);
 
-// True if p lies to the left of a -> b, and on no segment whose ends are moved by less than
-// `reach`. What is so of all edges of a polygon, wherever short ones turn to, is inside it after
-// every move of its vertices: while they move, no edge passes over it.
+// True if p lies to the left of a -> b, and no move of a and b by less than `reach` puts it on the
+// segment between them. The line through a short edge may turn past it all the same. Where this is
+// so of all edges of a polygon, p lies inside after every such move of the vertices: while they
+// move there, no edge passes over it.
 bool left_and_apart(Point a, Point b, Point p, Fixed reach);
 
 // The name of the edge a -> b of a counter-clockwise triangle: "left", "right", "bottom" or "top".

@@ -156,7 +156,8 @@ Rule alpha_to_coverage_rule() {
         "one pixel it never falls, however it is rounded or drawn. But 14.9.3 calls that intended "
         "(ruling 52), and the Khronos tests "
         "(dEQP-GLES3.functional.multisample.*.proportionality_alpha_to_coverage) add up whole "
-        "images, whose sums may grow where a pixel's number falls."}}};
+        "images, whose sums may grow where a pixel's number falls; where sums fall, ruling 33 "
+        "convicts."}}};
 }
 
 }  // namespace edgecase

@@ -98,6 +98,50 @@ TEST(ClipLatitude, TheViewportsSidesStay) {
   }
 }
 
+// Of a closed curve: how often it runs round the point.
+int winding(const std::vector<Point>& polygon, Point p) {
+  int turns = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    const std::int64_t side = (b.x.raw() - a.x.raw()) * (p.y.raw() - a.y.raw()) -
+                              (b.y.raw() - a.y.raw()) * (p.x.raw() - a.x.raw());
+    if (a.y <= p.y && b.y > p.y && side > 0) ++turns;
+    if (a.y > p.y && b.y <= p.y && side < 0) --turns;
+  }
+  return turns;
+}
+
+// The line through a short edge turns far, and across samples in the midst of the polygon. No move
+// of the vertices leaves these out.
+TEST(ClipLatitude, AShortEdgeExcusesNothingFarFromIt) {
+  const std::vector<Point> given{quarters(0, 0), quarters(32, 0), quarters(32, 31),
+                                 quarters(31, 32), quarters(0, 32)};
+  const LoosePolygon polygon{given, kReach, kWide};
+  const Fixed step = kReach - Fixed::from_raw(1);
+  std::vector<Point> certain;
+  int swept = 0;
+  for (int y = -2; y <= 34; ++y)
+    for (int x = -2; x <= 34; ++x) {
+      if (polygon_possibly_uncovered(polygon, quarters(x, y))) continue;
+      certain.push_back(quarters(x, y));
+      swept += robustly_left(given[2], given[3], quarters(x, y), kReach) ? 0 : 1;
+    }
+  EXPECT_GT(swept, 50);
+  // All but the corner that is cut off, by the steps from the border that the reach leaves.
+  EXPECT_GT(certain.size(), 29U * 29U);
+  for (int moves = 0; moves < 9 * 9 * 9 * 9 * 9; moves += 7) {
+    std::vector<Point> moved = given;
+    int rest = moves;
+    for (Point& p : moved) {
+      p.x = p.x + (rest % 3 == 0 ? Fixed() - step : rest % 3 == 1 ? Fixed() : step);
+      p.y = p.y + (rest / 3 % 3 == 0 ? Fixed() - step : rest / 3 % 3 == 1 ? Fixed() : step);
+      rest /= 9;
+    }
+    for (std::size_t i = static_cast<std::size_t>(moves % 11); i < certain.size(); i += 11)
+      ASSERT_EQ(winding(moved, certain[i]), 1) << moves;
+  }
+}
+
 TEST(ClipLatitude, OfNothingIsNothing) {
   for (const std::vector<Point>& few :
        {std::vector<Point>{}, {quarters(4, 4)}, {quarters(4, 4), quarters(12, 12)}}) {

@@ -226,6 +226,7 @@ bool is_at_work(Trial& trial) {
   Scene nothing;
   nothing.target.width = nothing.target.height = 1;
   nothing.viewport = {0, 0, 1, 1};
+  trial.ask_for_images(false);
   return !trial.ask(nothing).result.failure;
 }
 
