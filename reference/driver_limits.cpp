@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "reference/draw_state.h"
+#include "reference/drawn_keys.h"
 #include "reference/gl_api.h"
 
 namespace edgecase {
@@ -195,6 +196,8 @@ DriverLimits stated_limits(const GladGLContext& gl) {
 }
 
 std::string limit_exceeded_by(const Scene& scene, const DriverLimits& limits) {
+  if (const std::string key = key_not_drawn(scene); !key.empty())
+    return fmt::format("\"{}\" is not drawn by OpenGL yet", key);
   if (std::string problem = target_limit(scene, limits); !problem.empty()) return problem;
   if (limits.es)
     if (std::string problem = beyond_es(scene, *limits.es); !problem.empty()) return problem;

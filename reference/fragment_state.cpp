@@ -115,11 +115,13 @@ void set_stencil_face(const GladGLContext& gl, GLenum which, const StencilFace& 
   gl.StencilMaskSeparate(which, face.write_mask);
 }
 
+// What a draw leaves off is set to its default, too: clears heed masks.
+
 void set_stencil(const GladGLContext& gl, const std::optional<StencilTest>& test) {
   enable(gl, GL_STENCIL_TEST, test.has_value());
-  if (!test) return;
-  set_stencil_face(gl, GL_FRONT, test->front);
-  set_stencil_face(gl, GL_BACK, test->back);
+  const StencilTest own = test.value_or(StencilTest());
+  set_stencil_face(gl, GL_FRONT, own.front);
+  set_stencil_face(gl, GL_BACK, own.back);
 }
 
 // Without a buffer, the test stays off.
@@ -131,13 +133,10 @@ void set_depth_test(const GladGLContext& gl, const DepthTest& test, DepthFormat 
 
 void set_blending(const GladGLContext& gl, const std::optional<Blending>& blending) {
   enable(gl, GL_BLEND, blending.has_value());
-  if (!blending) return;
-  const BlendTerm& color = blending->color;
-  const BlendTerm& alpha = blending->alpha;
+  const auto& [color, alpha, constant] = blending.value_or(Blending());
   gl.BlendEquationSeparate(to_gl(color.equation), to_gl(alpha.equation));
   gl.BlendFuncSeparate(to_gl(color.source), to_gl(color.destination), to_gl(alpha.source),
                        to_gl(alpha.destination));
-  const auto& constant = blending->constant;
   gl.BlendColor(constant[0], constant[1], constant[2], constant[3]);
 }
 
@@ -158,13 +157,13 @@ void set_culling(const GladGLContext& gl, const Draw& draw) {
 
 void set_polygon_offset(const GladGLContext& gl, const std::optional<PolygonOffset>& offset) {
   enable(gl, GL_POLYGON_OFFSET_FILL, offset.has_value());
-  if (!offset) return;
+  const auto [factor, units, clamp] = offset.value_or(PolygonOffset());
   // The clamp persists until the next call of either function.
-  if (offset->clamp == 0) return gl.PolygonOffset(offset->factor, offset->units);
+  if (clamp == 0) return gl.PolygonOffset(factor, units);
   if (gl.PolygonOffsetClamp != nullptr)
-    gl.PolygonOffsetClamp(offset->factor, offset->units, offset->clamp);
+    gl.PolygonOffsetClamp(factor, units, clamp);
   else
-    gl.PolygonOffsetClampEXT(offset->factor, offset->units, offset->clamp);
+    gl.PolygonOffsetClampEXT(factor, units, clamp);
 }
 
 }  // namespace
@@ -195,19 +194,7 @@ void set_fragment_state(const GladGLContext& gl, const Scene& scene, const Draw&
 }
 
 void reset_fragment_state(const GladGLContext& gl) {
-  constexpr GLenum kSwitchedOff[] = {GL_CULL_FACE, GL_POLYGON_OFFSET_FILL, GL_STENCIL_TEST,
-                                     GL_BLEND};
-  for (GLenum off : kSwitchedOff) gl.Disable(off);
-  gl.FrontFace(GL_CCW);
-  gl.CullFace(GL_BACK);
-  gl.PolygonOffset(0, 0);
-  set_depth_range(gl, 0, 1);
-  gl.DepthMask(GL_TRUE);
-  set_stencil_face(gl, GL_FRONT_AND_BACK, StencilFace());
-  gl.BlendEquation(GL_FUNC_ADD);
-  gl.BlendFunc(GL_ONE, GL_ZERO);
-  gl.BlendColor(0, 0, 0, 0);
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  set_fragment_state(gl, Scene(), Draw(), PassKind::pixels);
 }
 
 }  // namespace edgecase

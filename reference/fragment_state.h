@@ -25,7 +25,7 @@ bool uses_fragment_state(const Scene& scene);
 void set_fragment_state(const GladGLContext& gl, const Scene& scene, const Draw& draw,
                         PassKind kind);
 
-// Restores the initial state of a context.
+// Restores the state of a draw without any.
 void reset_fragment_state(const GladGLContext& gl);
 
 }  // namespace edgecase

@@ -8,7 +8,7 @@
 
 #include "casefile/json/text.h"
 #include "casefile/mesh/transform.h"
-#include "casefile/scene/plain_fields.h"
+#include "casefile/scene/forms.h"
 #include "casefile/sweep/variants.h"
 
 namespace edgecase {
@@ -107,8 +107,8 @@ void read_case_texts(const ObjectReader& object, std::span<const std::string> kn
 
 Details read_details(const Place& place, Findings& findings) {
   Names names;
-  for_each_plain_field<Details>(
-      [&](const auto& field) { names.allowed.push_back(field.case_key); });
+  for_each_form<Details>(
+      [&](const auto& field, const auto&) { names.allowed.push_back(field.case_key); });
   const std::vector<std::string> given =
       read_strings(place, "details", findings, [&](const Place& item, const std::string&) {
         read_choice(item, "a detail", names, findings);
@@ -117,7 +117,7 @@ Details read_details(const Place& place, Findings& findings) {
     findings.add(place, "details are empty",
                  "name one of " + join_names(names.allowed) + ", or remove the key");
   Details details;
-  for_each_plain_field<Details>([&](const auto& field) {
+  for_each_form<Details>([&](const auto& field, const auto&) {
     details.*field.member = std::find(given.begin(), given.end(), field.case_key) != given.end();
   });
   return details;

@@ -10,8 +10,8 @@
 #include "casefile/json/schema.h"
 #include "casefile/mesh/mesh.h"
 #include "casefile/mesh/transform.h"
+#include "casefile/scene/forms.h"
 #include "casefile/scene/fragment_operations.h"
-#include "casefile/scene/plain_fields.h"
 #include "casefile/scene/samples.h"
 #include "casefile/sweep/sweep.h"
 #include "casefile/sweep/variants.h"
@@ -281,7 +281,8 @@ Pieces definitions() {
 
 std::string case_schema() {
   std::vector<std::string> details;
-  for_each_plain_field<Details>([&](const auto& field) { details.emplace_back(field.case_key); });
+  for_each_form<Details>(
+      [&](const auto& field, const auto&) { details.emplace_back(field.case_key); });
   return lay_out(json_object(schema_pieces(
       kCaseSchema,
       {named("required", json_strings(case_keys().required)),

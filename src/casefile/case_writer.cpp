@@ -11,8 +11,7 @@
 #include "casefile/json/json_layout.h"
 #include "casefile/json/text.h"
 #include "casefile/loader.h"
-#include "casefile/scene/fragment_operations.h"
-#include "casefile/scene/plain_fields.h"
+#include "casefile/scene/forms.h"
 #include "casefile/scene/textures.h"
 #include "casefile/scene/viewport.h"
 #include "model/scene.h"
@@ -20,12 +19,6 @@
 namespace edgecase {
 
 namespace {
-
-JsonPiece rectangle(const Viewport& value) {
-  return json_object({named("x", integer_piece(value.x)), named("y", integer_piece(value.y)),
-                      named("width", integer_piece(value.width)),
-                      named("height", integer_piece(value.height))});
-}
 
 bool chosen_by_loader(const Scene& scene) {
   const std::optional<Viewport> chosen =
@@ -80,7 +73,8 @@ JsonPiece target_piece(const Scene& scene) {
     members.push_back(named("depth_range",
                             exact_list(std::array{scene.depth_range.near, scene.depth_range.far})));
   members.push_back(named("clear", color_piece(target.clear)));
-  if (!chosen_by_loader(scene)) members.push_back(named("viewport", rectangle(scene.viewport)));
+  if (!chosen_by_loader(scene))
+    members.push_back(named("viewport", rectangle_piece(scene.viewport)));
   return json_object(std::move(members));
 }
 
@@ -128,9 +122,7 @@ std::optional<JsonPiece> state_piece(const Draw& draw, int dimensions) {
   if (draw.texture) standard.interpolation = Interpolation::smooth;
   Pieces members;
   add_fields(draw, members, standard);
-  if (draw.scissor) members.push_back(named("scissor", rectangle(*draw.scissor)));
   add_multisampling(draw.multisampling, members);
-  for (JsonPiece& member : fragment_operation_pieces(draw)) members.push_back(std::move(member));
   if (draw.texture)
     for (JsonPiece& member : texture_use_pieces(*draw.texture, dimensions))
       members.push_back(std::move(member));
@@ -161,7 +153,7 @@ JsonPiece draw_piece(const Draw& draw, const Scene& scene) {
 
 Pieces detail_names(Details details) {
   Pieces names;
-  for_each_plain_field<Details>([&](const auto& field) {
+  for_each_form<Details>([&](const auto& field, const auto&) {
     if (details.*field.member) names.push_back(json_string(field.case_key));
   });
   return names;

@@ -11,6 +11,7 @@
 #include "exact/numeral.h"
 #include "model/clipped_line.h"
 #include "model/fragment_operations.h"
+#include "model/scene_fields.h"
 #include "model/texture.h"
 
 namespace edgecase {
@@ -311,55 +312,75 @@ std::string connected_text(const Draw& draw) {
   return text;
 }
 
-std::string texture_text(const TextureUse& use) {
-  const Sampler& sampler = use.sampler;
-  std::string text = std::string(" ") + name_of(sampler.wrap[0]) + " " + name_of(sampler.wrap[1]) +
-                     ", magnified " + name_of(sampler.magnify) + ", minified " +
-                     name_of(sampler.minify) + ", levels " + name_of(sampler.mipmap);
-  if (use.lookup.kind != LookupKind::implicit) text += std::string(", ") + name_of(use.lookup.kind);
+// A value in words.
+
+template <class Number>
+requires std::is_arithmetic_v<Number> std::string words_of(Number value) {
+  if constexpr (std::is_same_v<Number, bool>) return value ? "on" : "off";
+  if constexpr (std::is_same_v<Number, float>) return decimal_of(value);
+  return std::to_string(value);
+}
+std::string words_of(Fixed value) {
+  return to_fraction(value);
+}
+template <HasNames Enum>
+std::string words_of(Enum value) {
+  return spaced(name_of(value));
+}
+std::string words_of(const std::optional<Viewport>& box) {
+  return words_of(box->width) + "x" + words_of(box->height) + " at (" + words_of(box->x) + ", " +
+         words_of(box->y) + ")";
+}
+std::string words_of(const std::optional<TextureUse>& use) {
+  const Sampler& sampler = use->sampler;
+  std::string text = std::to_string(use->texture) + " " + name_of(sampler.wrap[0]) + " " +
+                     name_of(sampler.wrap[1]) + ", magnified " + name_of(sampler.magnify) +
+                     ", minified " + name_of(sampler.minify) + ", levels " +
+                     name_of(sampler.mipmap);
+  if (use->lookup.kind != LookupKind::implicit)
+    text += std::string(", ") + name_of(use->lookup.kind);
   return text;
 }
-
-std::string mask_text(const std::array<bool, 4>& mask) {
-  std::string text = ", mask ";
+std::string words_of(const DepthTest& test) {
+  const bool tests = test.function != CompareFunction::always;
+  return (tests ? std::string("depth ") + name_of(test.function) : "") +
+         (tests && !test.write ? ", " : "") + (test.write ? "" : "depth not written");
+}
+std::string words_of(const std::array<bool, 4>& mask) {
+  std::string text;
   for (std::size_t i = 0; i < mask.size(); ++i) text += mask[i] ? "rgba"[i] : '-';
   return text;
 }
 
-std::string operation_text(const Draw& draw) {
-  const FragmentOperations& own = draw.operations;
-  const FragmentOperations standard;
-  std::string text;
-  if (draw.front_face != FrontFace::ccw)
-    text += ", front faces " + std::string(name_of(draw.front_face));
-  if (draw.cull != CullMode::none) text += ", culled " + spaced(name_of(draw.cull));
-  if (draw.polygon_offset) text += ", offset";
-  if (own.stencil) text += ", stencil test";
-  if (own.depth.function != standard.depth.function)
-    text += std::string(", depth ") + name_of(own.depth.function);
-  if (!own.depth.write) text += ", depth not written";
-  if (own.blending) text += ", blended";
-  if (own.color_mask != standard.color_mask) text += mask_text(own.color_mask);
-  return text;
+template <class Value>
+concept HasWords = requires(const Value& value) {
+  words_of(value);
+};
+
+template <class Value>
+std::string row_text(const char* key, const char* words, const Value& value) {
+  std::string text = words != nullptr ? words : spaced(key) + (HasWords<Value> ? " {}" : "");
+  const std::size_t place = text.find("{}");
+  if constexpr (HasWords<Value>)
+    if (place != text.npos) text.replace(place, 2, words_of(value));
+  return ", " + text;
 }
 
+// What differs from the default, sizes first.
 std::string state_text(const Draw& draw) {
-  const Fixed one = Fixed::from_integer(1);
-  const Draw standard;
+  Draw standard;
+  standard.primitive = draw.primitive;
   std::string text;
-  if (draw.line_width != one) text += ", width " + to_fraction(draw.line_width);
-  if (draw.point_size != one) text += ", size " + to_fraction(draw.point_size);
-  if (draw.interpolation != standard.interpolation)
-    text += std::string(", ") + name_of(draw.interpolation);
-  if (draw.provoking_vertex != standard.provoking_vertex)
-    text += std::string(", ") + name_of(draw.provoking_vertex) + " vertex provokes";
-  if (draw.texture)
-    text += ", texture " + std::to_string(draw.texture->texture) + texture_text(*draw.texture);
-  if (draw.scissor)
-    text += ", scissor " + std::to_string(draw.scissor->width) + "x" +
-            std::to_string(draw.scissor->height) + " at (" + std::to_string(draw.scissor->x) +
-            ", " + std::to_string(draw.scissor->y) + ")";
-  return text + operation_text(draw);
+  for (const bool sizes : {true, false})
+    for_each_row<Draw>([&](const auto& field, const auto& part) {
+      const auto& value = part(draw).*field.member;
+      using Value = std::remove_cvref_t<decltype(value)>;
+      if constexpr (!std::is_same_v<Value, std::vector<Vertex>> &&
+                    !std::is_same_v<Value, Multisampling>)
+        if (std::is_same_v<Value, Fixed> == sizes && value != part(standard).*field.member)
+          text += row_text(field.key, field.words, value);
+    });
+  return text;
 }
 
 std::string draw_text(const Draw& draw) {

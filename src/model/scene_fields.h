@@ -8,6 +8,7 @@
 // new rows so that lines without them stay unchanged.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <tuple>
 #include <type_traits>
@@ -25,6 +26,8 @@ struct Limits {
 
 template <class Noun, class Value>
 struct Field {
+  using Type = Value;
+
   const char* key;  // null: the value's own fields replace it
   Value Noun::*member;
   Limits limits;
@@ -41,6 +44,8 @@ struct Field {
   const char* label = nullptr;
   const char* description = nullptr;
   bool is_required = false;  // in case files
+  // How scene_text tells a value other than the default, which stands for "{}"; null: by its key.
+  const char* words = nullptr;
 
   constexpr Field left_out() const {
     Field other = *this;
@@ -63,6 +68,11 @@ struct Field {
     other.description = its_description;
     return other;
   }
+  constexpr Field told(const char* its_words) const {
+    Field other = *this;
+    other.words = its_words;
+    return other;
+  }
   constexpr Field required() const {
     Field other = *this;
     other.is_required = true;
@@ -79,9 +89,12 @@ template <class Noun, class Value>
 constexpr Field<Noun, Value> field(const char* key, Value Noun::*member, Limits limits = {}) {
   return {key, member, limits};
 }
+// Stands for the fields of a member, which replace it.
 template <class Noun, class Value>
-constexpr Field<Noun, Value> fields_in(Value Noun::*member) {
-  return {nullptr, member, {}};
+struct FieldsIn : Field<Noun, Value> {};
+template <class Noun, class Value>
+constexpr FieldsIn<Noun, Value> fields_in(Value Noun::*member) {
+  return {{nullptr, member, {}}};
 }
 
 // The primary template, for types without fields.
@@ -95,6 +108,22 @@ concept HasFields = !std::is_same_v<std::remove_cv_t<decltype(kFields<Noun>)>, i
 template <HasFields Noun, class Visit>
 constexpr void for_each_field(Visit&& visit) {
   std::apply([&](const auto&... fields) { (visit(fields), ...); }, kFields<Noun>);
+}
+
+// Calls `visit(field, part)` with each field of a noun's object, in order: those of a member whose
+// fields replace it stand in its place. `part(noun).*field.member` is the value.
+template <HasFields Noun, class Visit, class Part = std::identity>
+constexpr void for_each_row(Visit&& visit, Part part = {}) {
+  for_each_field<Noun>([&](const auto& field) {
+    using Own = std::remove_cvref_t<decltype(field)>;
+    using Value = typename Own::Type;
+    if constexpr (std::is_same_v<Own, FieldsIn<Noun, Value>>)
+      for_each_row<Value>(
+          visit,
+          [ part, member = field.member ](auto& noun) -> auto& { return part(noun).*member; });
+    else
+      visit(field, part);
+  });
 }
 
 constexpr int kMaxViewportOnWire = 32768;  // pixels: a side; a corner from the origin
@@ -133,18 +162,16 @@ template <>
 inline constexpr auto kFields<Target> = std::tuple{
     field("width", &Target::width, {1, kMaxTargetSize})
         .required()
-        .about("Width",
-               "In pixels, {low} to {high}. Small is good: a person has to read the "
-               "picture."),
+        .about("Width", "In pixels, {low} to {high}. Small is good: a person has to read the "
+                        "picture."),
     field("height", &Target::height, {1, kMaxTargetSize})
         .required()
         .about("Height", "In pixels, {low} to {high}."),
     field("samples", &Target::samples, {1, kMaxSamples})
         .by_hand()
-        .about("Samples",
-               "Samples per pixel, {low} to {high}. With several, the target is "
-               "multisampled: it is a framebuffer object, and textures and derivatives "
-               "are not supported yet."),
+        .about("Samples", "Samples per pixel, {low} to {high}. With several, the target is "
+                          "multisampled: it is a framebuffer object, and textures and derivatives "
+                          "are not supported yet."),
     field("sample_positions", &Target::sample_positions),
     field("color", &Target::color)
         .called("a colour format")
@@ -160,22 +187,19 @@ inline constexpr auto kFields<Target> = std::tuple{
         .left_out()
         .by_hand()
         .called("a stencil format")
-        .about("Stencil format",
-               "Format of the stencil buffer. OpenGL has none of \"depth16\" and "
-               "\"stencil8\" together."),
+        .about("Stencil format", "Format of the stencil buffer. OpenGL has none of \"depth16\" and "
+                                 "\"stencil8\" together."),
     field("clear_depth", &Target::clear_depth, kUnitInterval)
         .left_out()
-        .about("Clear depth",
-               "What a depth buffer is cleared to: a float32 number from {low} to "
-               "{high}."),
+        .about("Clear depth", "What a depth buffer is cleared to: a float32 number from {low} to "
+                              "{high}."),
     field("clear_stencil", &Target::clear_stencil, kByte)
         .left_out()
         .about("Clear stencil value", "What a stencil buffer is cleared to, {low} to {high}."),
     field("surface", &Target::surface)
         .called("a surface")
-        .about("Surface",
-               "Where pixels land: \"fbo\" is a framebuffer object, \"window\" the "
-               "window system's framebuffer (a pbuffer, or OSMesa's own buffer)."),
+        .about("Surface", "Where pixels land: \"fbo\" is a framebuffer object, \"window\" the "
+                          "window system's framebuffer (a pbuffer, or OSMesa's own buffer)."),
     field("clear", &Target::clear, kUnitInterval).called("a clear colour")};
 
 template <>
@@ -213,14 +237,12 @@ inline constexpr auto kFields<Sampler> = std::tuple{
     field("magnify", &Sampler::magnify).about("Magnification filter", kAboutFilter),
     field("minify", &Sampler::minify).about("Minification filter", kAboutFilter),
     field("mipmap", &Sampler::mipmap)
-        .about("Mip filter",
-               "Where it is minified: the base level alone, the nearest level, or a "
-               "weighted mean of the nearest two. nearest and linear need a whole "
-               "chain."),
+        .about("Mip filter", "Where it is minified: the base level alone, the nearest level, or a "
+                             "weighted mean of the nearest two. nearest and linear need a whole "
+                             "chain."),
     field("lod_bias", &Sampler::lod_bias, {-kMaxLodBias, kMaxLodBias})
-        .about("Bias",
-               "What is added to the level of detail: a float32 number from {low} to "
-               "{high}."),
+        .about("Bias", "What is added to the level of detail: a float32 number from {low} to "
+                       "{high}."),
     field("min_lod", &Sampler::min_lod, {-kMaxLod, kMaxLod})
         .about("Least level of detail", "A float32 number from {low} to {high}."),
     field("max_lod", &Sampler::max_lod, {-kMaxLod, kMaxLod})
@@ -304,41 +326,62 @@ inline constexpr auto kFields<Blending> =
                field("constant", &Blending::constant, kUnitInterval)};
 
 template <>
-inline constexpr auto kFields<FragmentOperations> =
-    std::tuple{field("stencil", &FragmentOperations::stencil),
-               field("depth", &FragmentOperations::depth).left_out(),
-               field("blend", &FragmentOperations::blending),
-               field("color_mask", &FragmentOperations::color_mask).left_out()};
+inline constexpr auto kFields<FragmentOperations> = std::tuple{
+    field("stencil", &FragmentOperations::stencil).told("stencil test").called("a stencil test"),
+    field("depth", &FragmentOperations::depth).told("{}").left_out().called("a depth test"),
+    field("blend", &FragmentOperations::blending).told("blended").called("a blending"),
+    field("color_mask", &FragmentOperations::color_mask)
+        .told("mask {}")
+        .left_out()
+        .called("a colour mask")
+        .about("Colour mask", "Which components are written (glColorMask): letters of \"rgba\", in "
+                              "this order.")};
 
 template <>
 inline constexpr auto kFields<Draw> = std::tuple{
     field("primitive", &Draw::primitive).by_hand().called("a primitive"),
     field("interpolation", &Draw::interpolation)
+        .told("{}")
         .about("Interpolation",
                "flat: each primitive has the colour of its provoking vertex; smooth: "
                "colours are interpolated; noperspective: interpolated linearly in "
                "window coordinates. Of a draw with a texture the same of texture "
                "coordinates, and smooth where nothing is said."),
     field("provoking_vertex", &Draw::provoking_vertex)
+        .told("{} vertex provokes")
         .called("the provoking vertex")
         .about("Provoking vertex", "Which vertex of a primitive gives it its flat colour."),
     field("line_width", &Draw::line_width, {0, kMaxThickness})
+        .told("width {}")
         .about("Line width", "In pixels, above {low}, {high} at most."),
     field("point_size", &Draw::point_size, {0, kMaxThickness})
+        .told("size {}")
         .about("Point size", "In pixels, above {low}, {high} at most."),
-    field("scissor", &Draw::scissor, {0, kMaxViewportOnWire}),
+    field("scissor", &Draw::scissor, {0, kMaxViewportOnWire})
+        .told("scissor {}")
+        .called("a scissor")
+        .about("Scissor",
+               "Fragments outside this rectangle are dropped; a size of 0 drops all of them. Left "
+               "out, none is dropped."),
     field("multisampling", &Draw::multisampling),
-    field("texture", &Draw::texture),
+    field("texture", &Draw::texture).told("texture {}").by_hand(),
     field("front_face", &Draw::front_face)
+        .told("front faces {}")
         .left_out()
         .called("the front face")
-        .about("Front face",
-               "Which way round the vertices of a front-facing polygon run in the "
-               "window, y up, whatever the target's \"y\" says."),
+        .about("Front face", "Which way round the vertices of a front-facing polygon run in the "
+                             "window, y up, whatever the target's \"y\" says."),
     field("cull", &Draw::cull)
+        .told("culled {}")
         .left_out()
         .about("Culled faces", "Which triangles are dropped; lines and points never are."),
-    field("polygon_offset", &Draw::polygon_offset),
+    field("polygon_offset", &Draw::polygon_offset)
+        .told("offset")
+        .called("a polygon offset")
+        .about("Polygon offset",
+               "Added to the depths of triangles (glPolygonOffsetClamp): factor m + units r, with "
+               "m the depth's slope and r the least difference that the depth buffer keeps apart; "
+               "where the clamp is not 0, no farther than it. Lines and points are left alone."),
     fields_in(&Draw::operations),
     field("vertices", &Draw::vertices)};
 

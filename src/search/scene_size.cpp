@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "casefile/scene/forms.h"
 #include "casefile/scene/viewport.h"
 #include "model/scene.h"
 
@@ -132,12 +133,6 @@ bool reset_texture(Scene& scene, std::size_t d) {
   return true;
 }
 
-// Textured draws interpolate by default.
-bool reset_interpolation(Scene& scene, std::size_t d) {
-  Draw& draw = scene.draws[d];
-  return put(draw.interpolation, draw.texture ? Interpolation::smooth : Interpolation::flat);
-}
-
 bool reset_colors(Scene& scene, std::size_t d) {
   bool changed = false;
   for (Vertex& vertex : scene.draws[d].vertices)
@@ -168,13 +163,6 @@ bool reset_clip(Scene& scene, std::size_t d) {
     vertex.w = 1;
     changed = true;
   }
-  return changed;
-}
-
-bool reset_scissor(Scene& scene, std::size_t d) {
-  std::optional<Viewport>& scissor = scene.draws[d].scissor;
-  const bool changed = scissor.has_value();
-  scissor.reset();
   return changed;
 }
 
@@ -231,61 +219,75 @@ bool reset_supersampling(Scene& scene, std::size_t) {
   return changed;
 }
 
-// Resets one member of the scene's draws.
-template <auto Member>
-bool reset_member(Scene& scene, std::size_t d) {
-  return put(scene.draws[d].*Member, Draw().*Member);
-}
-template <auto Member>
-bool reset_operation(Scene& scene, std::size_t d) {
-  return put(scene.draws[d].operations.*Member, FragmentOperations().*Member);
-}
-template <auto Member>
-bool reset_sampling(Scene& scene, std::size_t d) {
-  return put(scene.draws[d].multisampling.*Member, Multisampling().*Member);
-}
 template <auto Member>
 bool reset_target(Scene& scene, std::size_t) {
   return put(scene.target.*Member, Target().*Member);
 }
 
+// Textured draws interpolate by default.
+Draw default_draw(const Draw& draw) {
+  Draw standard;
+  if (draw.texture) standard.interpolation = Interpolation::smooth;
+  return standard;
+}
+
+// Of each row with a form: state that a draw has for itself.
+void add_rows_of_draws(std::vector<Setting>& settings) {
+  for_each_form<Draw>([&](const auto& field, const auto& part) {
+    settings.push_back({field.case_key,
+                        [field, part](Scene& scene, std::size_t d) {
+                          Draw& draw = scene.draws[d];
+                          const Draw standard = default_draw(draw);
+                          return put(part(draw).*field.member, part(standard).*field.member);
+                        },
+                        true});
+  });
+}
+
+// Of each row of a part of draws; `part` is null where a draw has none.
+template <HasFields Part, class Find>
+void add_rows_of_part(std::vector<Setting>& settings, Find find) {
+  for_each_field<Part>([&](const auto& field) {
+    settings.push_back({field.case_key,
+                        [field, find](Scene& scene, std::size_t d) {
+                          Part* const part = find(scene.draws[d]);
+                          return part != nullptr && put(part->*field.member, Part().*field.member);
+                        },
+                        true});
+  });
+}
+
 // Settings that remove most come first.
-constexpr std::array kSettings{
-    Setting{"supersampling", reset_supersampling, false},
-    Setting{"samples", reset_samples, false},
-    Setting{"depth buffer", reset_depth_buffer, false},
-    Setting{"stencil buffer", reset_stencil_buffer, false},
-    Setting{"texture", reset_texture, true},
-    Setting{"clip coordinates", reset_clip, true},
-    Setting{"details", reset_details, false},
-    Setting{"viewport", reset_viewport, false},
-    Setting{"depth range",
-            [](Scene& scene, std::size_t) { return put(scene.depth_range, DepthRange()); }, false},
-    Setting{"sample positions", reset_target<&Target::sample_positions>, false},
-    Setting{"clear colour", reset_target<&Target::clear>, false},
-    Setting{"clear depth", reset_target<&Target::clear_depth>, false},
-    Setting{"clear stencil", reset_target<&Target::clear_stencil>, false},
-    Setting{"stencil test", reset_operation<&FragmentOperations::stencil>, true},
-    Setting{"depth test", reset_operation<&FragmentOperations::depth>, true},
-    Setting{"blending", reset_operation<&FragmentOperations::blending>, true},
-    Setting{"colour mask", reset_operation<&FragmentOperations::color_mask>, true},
-    Setting{"polygon offset", reset_member<&Draw::polygon_offset>, true},
-    Setting{"culling", reset_member<&Draw::cull>, true},
-    Setting{"front face", reset_member<&Draw::front_face>, true},
-    Setting{"scissor", reset_scissor, true},
-    Setting{"line width", reset_member<&Draw::line_width>, true},
-    Setting{"point size", reset_member<&Draw::point_size>, true},
-    Setting{"interpolation", reset_interpolation, true},
-    Setting{"provoking vertex", reset_member<&Draw::provoking_vertex>, true},
-    Setting{"multisampling", reset_sampling<&Multisampling::enabled>, true},
-    Setting{"attribute location", reset_sampling<&Multisampling::location>, true},
-    Setting{"sample shading", reset_sampling<&Multisampling::min_sample_shading>, true},
-    Setting{"sample mask", reset_sampling<&Multisampling::mask>, true},
-    Setting{"alpha to coverage", reset_sampling<&Multisampling::alpha_to_coverage>, true},
-    Setting{"w", reset_w, true},
-    Setting{"z", reset_depths, true},
-    Setting{"colours", reset_colors, true},
-};
+std::vector<Setting> make_settings() {
+  std::vector<Setting> settings{
+      {"supersampling", reset_supersampling, false},
+      {"samples", reset_samples, false},
+      {"depth buffer", reset_depth_buffer, false},
+      {"stencil buffer", reset_stencil_buffer, false},
+      {"texture", reset_texture, true},
+      {"clip coordinates", reset_clip, true},
+      {"details", reset_details, false},
+      {"viewport", reset_viewport, false},
+      {"depth_range",
+       [](Scene& scene, std::size_t) { return put(scene.depth_range, DepthRange()); }, false},
+      {"sample_positions", reset_target<&Target::sample_positions>, false},
+      {"clear", reset_target<&Target::clear>, false},
+      {"clear_depth", reset_target<&Target::clear_depth>, false},
+      {"clear_stencil", reset_target<&Target::clear_stencil>, false}};
+  add_rows_of_draws(settings);
+  add_rows_of_part<Sampler>(
+      settings, [](Draw& draw) { return draw.texture ? &draw.texture->sampler : nullptr; });
+  add_rows_of_part<Multisampling>(settings, [](Draw& draw) { return &draw.multisampling; });
+  settings.insert(
+      settings.end(),
+      {{"w", reset_w, true}, {"z", reset_depths, true}, {"colours", reset_colors, true}});
+  return settings;
+}
+
+const std::vector<Setting>& settings() {
+  static const std::vector<Setting> kSettings = make_settings();
+  return kSettings;
+}
 
 // Resets a setting everywhere; returns how often it was not at its default.
 std::int64_t reset_everywhere(const Setting& setting, Scene& scene) {
@@ -332,14 +334,14 @@ void add_fewer_passes(const Scene& scene, std::vector<Scene>& simpler) {
 }  // namespace
 
 std::span<const Setting> all_settings() {
-  return kSettings;
+  return settings();
 }
 
 std::int64_t count_settings(const Scene& scene) {
   // In reverse, so that settings that depend on a buffer are counted before the buffer.
   Scene copy = scene;
   std::int64_t count = 0;
-  for (auto setting = kSettings.rbegin(); setting != kSettings.rend(); ++setting)
+  for (auto setting = settings().rbegin(); setting != settings().rend(); ++setting)
     count += reset_everywhere(*setting, copy);
   return count;
 }
@@ -348,13 +350,13 @@ std::vector<Scene> simpler_settings(const Scene& scene) {
   std::vector<Scene> simpler;
   Scene plain = scene;
   std::int64_t changes = 0;
-  for (const Setting& setting : kSettings) changes += reset_everywhere(setting, plain);
+  for (const Setting& setting : settings()) changes += reset_everywhere(setting, plain);
   if (changes > 0) simpler.push_back(std::move(plain));
-  for (const Setting& setting : kSettings) {
+  for (const Setting& setting : settings()) {
     Scene one = scene;
     if (reset_everywhere(setting, one) > 0) simpler.push_back(std::move(one));
   }
-  for (const Setting& setting : kSettings) {
+  for (const Setting& setting : settings()) {
     if (!setting.of_draws || scene.draws.size() < 2) continue;
     for (std::size_t d = 0; d < scene.draws.size(); ++d) {
       Scene one = scene;

@@ -12,6 +12,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -53,13 +54,14 @@ int fraction_bits_of(const Scene& scene);
 
 // One setting of a scene, or of each of its draws.
 struct Setting {
-  const char* name;  // for tests and messages: "blending"
+  const char* name;  // for tests: its key, or what has none: "colours"
   // Resets it to its default, in the draw at `draw` if it is one of draws. Returns false, and
   // leaves the scene unchanged, if it already is.
-  bool (*reset)(Scene& scene, std::size_t draw);
+  std::function<bool(Scene& scene, std::size_t draw)> reset;
   bool of_draws;
 };
 
+// Those with a row in model/scene_fields.h are taken from there.
 std::span<const Setting> all_settings();
 
 // The number of settings other than the default; those of draws count for each draw.

@@ -14,22 +14,14 @@ using nlohmann::json;
 
 namespace {
 
-template <HasFields Noun>
-void add_keys(std::vector<const char*>& keys) {
-  for_each_field<Noun>([&](const auto& field) {
-    using Value = std::remove_cvref_t<decltype(std::declval<Noun>().*field.member)>;
-    if constexpr (HasFields<Value>) {
-      if (field.key == nullptr) return add_keys<Value>(keys);
-    }
-    if constexpr (!std::is_same_v<Value, Supersampling>) keys.push_back(field.key);
-  });
-}
-
 // The keys of a noun's object.
 template <HasFields Noun>
 std::vector<const char*> keys_of() {
   std::vector<const char*> keys;
-  add_keys<Noun>(keys);
+  for_each_row<Noun>([&](const auto& field, const auto&) {
+    using Value = typename std::remove_cvref_t<decltype(field)>::Type;
+    if constexpr (!std::is_same_v<Value, Supersampling>) keys.push_back(field.key);
+  });
   if constexpr (std::is_same_v<Noun, Target>) keys.push_back(kSupersampling);
   return keys;
 }
@@ -108,16 +100,8 @@ class SceneReader {
   void read_object(const json& value, const Path& path, Noun& noun) {
     static const std::vector<const char*> kKeys = keys_of<Noun>();
     require_object(value, path, kKeys);
-    read_members(value, path, noun);
-  }
-
-  template <HasFields Noun>
-  void read_members(const json& value, const Path& path, Noun& noun) {
-    for_each_field<Noun>([&](const auto& field) {
-      auto& part = noun.*field.member;
-      if constexpr (HasFields<std::remove_reference_t<decltype(part)>>) {
-        if (field.key == nullptr) return read_members(value, path, part);
-      }
+    for_each_row<Noun>([&](const auto& field, const auto& part_of) {
+      auto& part = part_of(noun).*field.member;
       const json* found = optional_member(value, field.key);
       if (found == nullptr && (field.is_left_out || may_be_absent(part))) return;
       const json& given = found != nullptr ? *found : member(value, path, field.key);

@@ -162,13 +162,10 @@ class SceneWriter {
   template <HasFields Noun>
   void write_members(const Noun& noun) {
     static const Noun standard;
-    for_each_field<Noun>([&](const auto& field) {
-      const auto& value = noun.*field.member;
+    for_each_row<Noun>([&](const auto& field, const auto& part) {
+      const auto& value = part(noun).*field.member;
       using Value = std::remove_cvref_t<decltype(value)>;
-      if (is_absent(value) || (field.is_left_out && value == standard.*field.member)) return;
-      if constexpr (HasFields<Value>) {
-        if (field.key == nullptr) return write_members(value);
-      }
+      if (is_absent(value) || (field.is_left_out && value == part(standard).*field.member)) return;
       // The passes of a supersampled scene are written in its target.
       if constexpr (!std::is_same_v<Value, Supersampling>) {
         write_key(field.key);

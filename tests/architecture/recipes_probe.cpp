@@ -14,6 +14,7 @@
 #include "casefile/case_writer.h"
 #include "casefile/loader.h"
 #include "casefile/policy_reader.h"
+#include "reference/drawn_keys.h"
 #include "rules/all_rules.h"
 #include "rules/chapters.h"
 #include "rules/choices.h"
@@ -51,7 +52,8 @@ void print_case(const char* file) {
   print_faults(loaded.diagnostics);
   if (loaded.cases.empty()) return;
   const Scene& scene = loaded.cases.front().scene;
-  fmt::print("scene: {}\n", scene_json(scene));
+  fmt::print("scene: {}\nwords: {}\nnot drawn: {}\n", scene_json(scene), scene_text(scene),
+             key_not_drawn(scene));
   const auto line = parse_request(request_line("planted", scene_json(scene)));
   if (const auto* request = std::get_if<Request>(&line))
     fmt::print("from a line: {}\n", scene_json(request->scene));

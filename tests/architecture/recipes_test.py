@@ -3,8 +3,9 @@
 files that it names and in no other, and the copy is built and asked.
 
 An alternative of a rule must be listed and be what a policy chooses; a rule too, and stand in the
-rule book; a key of case files must be read, written, told by the schema, and go to renderers as a
-line and as bytes.
+rule book; a key of case files, be it of a draw, of its fragment operations, or of its texture, must
+be read, written, told by the schema and in words, go to renderers as a line and as bytes, and be
+refused by the one that does not draw it yet.
 """
 import json
 import os
@@ -94,7 +95,7 @@ Rule dithering_rule() {
                '        {"Dithering", "output/dithering", {RuleId::framebuffer_dithering}},\n')],
 }
 
-KEY = {
+KEY_OF_DRAWS = {
     "src/model/scene.h": [
         before("  std::vector<Vertex> vertices;", "  bool dithers = false;\n")],
     "src/model/scene_fields.h": [
@@ -102,11 +103,34 @@ KEY = {
                'field("dithers", &Draw::dithers).left_out().about("Dithering", "Is it on?"),\n')],
 }
 
-# How many files of the product, those beside a rule's own; what draws a key is not planted.
-AIMS = [(ALTERNATIVE, 3), (RULE, 5), (KEY, 6)]
+KEY_OF_OPERATIONS = {
+    "src/model/fragment_operations.h": [
+        before("  std::array<bool, 4> color_mask", "  std::uint8_t logic_op = 3;\n")],
+    "src/model/scene_fields.h": [
+        before('field("color_mask", &FragmentOperations::color_mask',
+               'field("logic_op", &FragmentOperations::logic_op, kByte).left_out()\n'
+               '.told("logic {}").about("Logic", "Which one, {low} to {high}."),\n')],
+}
 
+KEY_OF_TEXTURES = {
+    "src/model/texture.h": [
+        before("  std::array<Wrap, 2> wrap", "  bool seamless = false;\n")],
+    "src/model/scene_fields.h": [
+        before('field("lod_bias", &Sampler::lod_bias',
+               'field("seamless", &Sampler::seamless).left_out().about("Seams", "Are there none?"),'
+               '\n')],
+}
+
+KEYS = (KEY_OF_DRAWS, KEY_OF_OPERATIONS, KEY_OF_TEXTURES)
+
+# How many files of the product, those beside a rule's own; what draws a key is not planted.
+AIMS = [(ALTERNATIVE, 3), (RULE, 5), *((key, 2) for key in KEYS)]
+
+STATE = {"dithers": True, "logic_op": 6, "texture": 0, "sampler": {"seamless": True}}
 CASE = {"title": "planted", "rules": ["window.origin"], "target": {"width": 4, "height": 4},
-        "draws": [{"primitive": "points", "vertices": [[1, 1]], "state": {"dithers": True}}]}
+        "textures": [{"size": [2, 2], "checker": {}}],
+        "draws": [{"primitive": "points", "vertices": [{"at": [1, 1], "uv": [0, 0]}],
+                   "state": STATE}]}
 POLICY = {"name": "planted", "latitude": "none",
           "rules": {"texture.wrap": "border-as-edge", "framebuffer.dithering": "ordered"}}
 
@@ -129,6 +153,8 @@ def built(tree, build):
     with (tree / "CMakeLists.txt").open("a", encoding="utf-8") as lists:
         lists.write(f"""
 add_executable(recipes_probe {ROOT}/tests/architecture/recipes_probe.cpp)
+target_sources(recipes_probe PRIVATE reference/drawn_keys.cpp)
+target_include_directories(recipes_probe PRIVATE {tree})
 target_link_libraries(recipes_probe edgecase_rules edgecase_casefile edgecase_wire fmt::fmt)
 """)
     for command in (["cmake", "-S", tree, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
@@ -147,7 +173,7 @@ class Recipes(unittest.TestCase):
             for name in FOLDERS:
                 shutil.copytree(ROOT / name, tree / name)
             shutil.copy(ROOT / "CMakeLists.txt", tree)
-            for recipe in (ALTERNATIVE, RULE, KEY):
+            for recipe in (ALTERNATIVE, RULE, *KEYS):
                 plant(tree, recipe)
             Path(folder, "policy.json").write_text(json.dumps(POLICY), encoding="utf-8")
             Path(folder, "case.json").write_text(json.dumps(CASE), encoding="utf-8")
@@ -175,11 +201,20 @@ class Recipes(unittest.TestCase):
 
     def test_a_key_is_read_written_and_sent(self):
         scene = self.line_after("scene: ")
-        self.assertIn('"dithers":true', scene)
         self.assertEqual(self.line_after("from a line: "), scene)
         self.assertEqual(self.line_after("from bytes: "), scene)
-        self.assertIn('"dithers": true', self.told)
+        for key, value in (("dithers", "true"), ("logic_op", "6"), ("seamless", "true")):
+            self.assertIn(f'"{key}":{value}', scene)
+            self.assertIn(f'"{key}": {value}', self.told)
         self.assertRegex(self.told, r'"title": "Dithering",\s*"description": "Is it on\?"')
+        self.assertRegex(self.told, r'"title": "Seams",\s*"description": "Are there none\?"')
+        self.assertRegex(self.told, r'"description": "Which one, 0 to 255\.",\s*"type": "integer"')
+
+    def test_a_key_is_told_and_refused_by_who_does_not_draw_it(self):
+        words = self.line_after("words: ")
+        self.assertIn(", dithers on", words)
+        self.assertIn(", logic 6", words)
+        self.assertIn(self.line_after("not drawn: "), ("dithers", "logic_op", "seamless"))
 
     def test_the_recipes_name_each_file(self):
         for recipe, most in AIMS:

@@ -12,7 +12,7 @@
 #include "casefile/case_reader.h"
 #include "casefile/json/schema.h"
 #include "casefile/policy_reader.h"
-#include "casefile/scene/plain_fields.h"
+#include "casefile/scene/forms.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

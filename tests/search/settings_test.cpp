@@ -22,6 +22,16 @@ Scene plain_scene() {
   return scene;
 }
 
+Sampler& textured(Scene& scene) {
+  Texture texture;
+  texture.levels = {{1, 1, {1, 1, 1, 1}}};
+  scene.textures = {std::make_shared<const Texture>(texture)};
+  scene.details.texture = true;
+  scene.draws[0].texture = TextureUse();
+  scene.draws[0].interpolation = Interpolation::smooth;
+  return scene.draws[0].texture->sampler;
+}
+
 // A change to a plain scene for each setting, by the setting's name.
 const std::map<std::string, void (*)(Scene&)>& changes() {
   static const std::map<std::string, void (*)(Scene&)> all = {
@@ -32,15 +42,18 @@ const std::map<std::string, void (*)(Scene&)>& changes() {
       {"samples", [](Scene& s) { s.target.samples = 4; }},
       {"depth buffer", [](Scene& s) { s.target.depth = DepthFormat::depth24; }},
       {"stencil buffer", [](Scene& s) { s.target.stencil = StencilFormat::stencil8; }},
-      {"texture",
-       [](Scene& s) {
-         Texture texture;
-         texture.levels = {{1, 1, {1, 1, 1, 1}}};
-         s.textures = {std::make_shared<const Texture>(texture)};
-         s.details.texture = true;
-         s.draws[0].texture = TextureUse();
-         s.draws[0].interpolation = Interpolation::smooth;
-       }},
+      {"texture", [](Scene& s) { textured(s); }},
+      {"wrap", [](Scene& s) { textured(s).wrap[1] = Wrap::mirrored_repeat; }},
+      {"magnify", [](Scene& s) { textured(s).magnify = Filter::nearest; }},
+      {"minify", [](Scene& s) { textured(s).minify = Filter::linear; }},
+      {"mipmap", [](Scene& s) { textured(s).mipmap = MipFilter::nearest; }},
+      {"lod_bias", [](Scene& s) { textured(s).lod_bias = 1; }},
+      {"min_lod", [](Scene& s) { textured(s).min_lod = 1; }},
+      {"max_lod", [](Scene& s) { textured(s).max_lod = 1; }},
+      {"base_level", [](Scene& s) { textured(s).base_level = 1; }},
+      {"max_level", [](Scene& s) { textured(s).max_level = 1; }},
+      {"border", [](Scene& s) { textured(s).border[0] = 1; }},
+      {"max_anisotropy", [](Scene& s) { textured(s).max_anisotropy = 2; }},
       {"clip coordinates",
        [](Scene& s) {
          Vertex& vertex = s.draws[0].vertices[0];
@@ -49,36 +62,35 @@ const std::map<std::string, void (*)(Scene&)>& changes() {
        }},
       {"details", [](Scene& s) { s.details.coordinates = true; }},
       {"viewport", [](Scene& s) { s.viewport.width = 32; }},
-      {"depth range", [](Scene& s) { s.depth_range.near = 0.25F; }},
-      {"sample positions", [](Scene& s) { s.target.sample_positions = {centre_of_pixel()}; }},
-      {"clear colour",
+      {"depth_range", [](Scene& s) { s.depth_range.near = 0.25F; }},
+      {"sample_positions", [](Scene& s) { s.target.sample_positions = {centre_of_pixel()}; }},
+      {"clear",
        [](Scene& s) {
          s.target.clear = {1, 0, 0, 1};
        }},
-      {"clear depth", [](Scene& s) { s.target.clear_depth = 0.5F; }},
-      {"clear stencil", [](Scene& s) { s.target.clear_stencil = 3; }},
-      {"stencil test", [](Scene& s) { s.draws[0].operations.stencil = StencilTest(); }},
-      {"depth test",
-       [](Scene& s) { s.draws[0].operations.depth.function = CompareFunction::less; }},
-      {"blending", [](Scene& s) { s.draws[0].operations.blending = Blending(); }},
-      {"colour mask", [](Scene& s) { s.draws[0].operations.color_mask[1] = false; }},
-      {"polygon offset", [](Scene& s) { s.draws[0].polygon_offset = PolygonOffset(); }},
-      {"culling", [](Scene& s) { s.draws[0].cull = CullMode::back; }},
-      {"front face", [](Scene& s) { s.draws[0].front_face = FrontFace::cw; }},
+      {"clear_depth", [](Scene& s) { s.target.clear_depth = 0.5F; }},
+      {"clear_stencil", [](Scene& s) { s.target.clear_stencil = 3; }},
+      {"stencil", [](Scene& s) { s.draws[0].operations.stencil = StencilTest(); }},
+      {"depth", [](Scene& s) { s.draws[0].operations.depth.function = CompareFunction::less; }},
+      {"blend", [](Scene& s) { s.draws[0].operations.blending = Blending(); }},
+      {"color_mask", [](Scene& s) { s.draws[0].operations.color_mask[1] = false; }},
+      {"polygon_offset", [](Scene& s) { s.draws[0].polygon_offset = PolygonOffset(); }},
+      {"cull", [](Scene& s) { s.draws[0].cull = CullMode::back; }},
+      {"front_face", [](Scene& s) { s.draws[0].front_face = FrontFace::cw; }},
       {"scissor",
        [](Scene& s) {
          s.draws[0].scissor = Viewport{0, 0, 4, 4};
        }},
-      {"line width", [](Scene& s) { s.draws[0].line_width = Fixed::from_integer(3); }},
-      {"point size", [](Scene& s) { s.draws[0].point_size = Fixed::from_integer(3); }},
+      {"line_width", [](Scene& s) { s.draws[0].line_width = Fixed::from_integer(3); }},
+      {"point_size", [](Scene& s) { s.draws[0].point_size = Fixed::from_integer(3); }},
       {"interpolation", [](Scene& s) { s.draws[0].interpolation = Interpolation::smooth; }},
-      {"provoking vertex", [](Scene& s) { s.draws[0].provoking_vertex = ProvokingVertex::first; }},
-      {"multisampling", [](Scene& s) { s.draws[0].multisampling.enabled = false; }},
-      {"attribute location",
+      {"provoking_vertex", [](Scene& s) { s.draws[0].provoking_vertex = ProvokingVertex::first; }},
+      {"multisample", [](Scene& s) { s.draws[0].multisampling.enabled = false; }},
+      {"attribute_location",
        [](Scene& s) { s.draws[0].multisampling.location = AttributeLocation::centroid; }},
-      {"sample shading", [](Scene& s) { s.draws[0].multisampling.min_sample_shading = 0.5F; }},
-      {"sample mask", [](Scene& s) { s.draws[0].multisampling.mask = 1; }},
-      {"alpha to coverage", [](Scene& s) { s.draws[0].multisampling.alpha_to_coverage = true; }},
+      {"min_sample_shading", [](Scene& s) { s.draws[0].multisampling.min_sample_shading = 0.5F; }},
+      {"sample_mask", [](Scene& s) { s.draws[0].multisampling.mask = 1; }},
+      {"alpha_to_coverage", [](Scene& s) { s.draws[0].multisampling.alpha_to_coverage = true; }},
       {"w", [](Scene& s) { s.draws[0].vertices[0].w = 2; }},
       {"z", [](Scene& s) { s.draws[0].vertices[0].z = Fixed::from_raw(1); }},
       {"colours",

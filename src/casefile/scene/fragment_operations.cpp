@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "casefile/json/text.h"
-#include "casefile/scene/plain_fields.h"
+#include "casefile/scene/forms.h"
 
 namespace edgecase {
 
@@ -25,10 +25,14 @@ const Keys kTermKeys{{}, {"equation", "source", "destination"}, {}};
 const Keys kOneTermKeys{{}, {"equation", "source", "destination", "constant"}, {}};
 const Keys kTwoTermKeys{{"color", "alpha"}, {"constant"}, {}};
 
+std::vector<std::string> preset_names() {
+  std::vector<std::string> names;
+  for (const BlendPreset& preset : kBlendPresets) names.emplace_back(preset.name);
+  return names;
+}
+
 Blending read_preset(const Place& place, Findings& findings) {
-  Names names;
-  for (const BlendPreset& preset : kBlendPresets) names.allowed.push_back(preset.name);
-  const auto name = read_choice(place, "a blending", names, findings);
+  const auto name = read_choice(place, kBlending, {preset_names(), {}}, findings);
   Blending blending;
   for (const BlendPreset& preset : kBlendPresets)
     if (name == preset.name) blending = {preset.color, preset.alpha, {}};
@@ -100,8 +104,16 @@ Blending read_blending(const Place& place, Findings& findings) {
   return blending;
 }
 
-// The inverse, in the shortest form.
-JsonPiece blend_piece(const Blending& blending) {
+}  // namespace
+
+void Form<std::optional<Blending>>::read(const Place& place, const char*, Limits,
+                                         Findings& findings, std::optional<Blending>& value) {
+  value = read_blending(place, findings);
+}
+
+// The shortest form.
+JsonPiece Form<std::optional<Blending>>::piece(const std::optional<Blending>& value) {
+  const Blending& blending = *value;
   const Blending standard;
   const bool constant = blending.constant != standard.constant;
   for (const BlendPreset& preset : kBlendPresets)
@@ -117,14 +129,21 @@ JsonPiece blend_piece(const Blending& blending) {
   return json_object(std::move(members));
 }
 
+void Form<std::optional<Blending>>::describe(Limits, Pieces& members) {
+  members.push_back(reference_to("blend"));
+}
+
+// Tests and masks.
+
+namespace {
+
 constexpr const char* kStencil = "stencil";
 constexpr const char* kClearDepth = "clear_depth";
 constexpr const char* kClearStencil = "clear_stencil";
 constexpr const char* kDepthRange = "depth_range";
 constexpr const char* kDepth = "depth";
-constexpr const char* kBlend = "blend";
-constexpr const char* kColorMask = "color_mask";
 constexpr const char* kPolygonOffset = "polygon_offset";
+constexpr std::string_view kLetters = "rgba";
 
 const Keys kTwoFaceKeys{{}, {"front", "back"}, {}};
 
@@ -166,56 +185,6 @@ void read_depth_range(const Place& place, DepthRange& range, Findings& findings)
   if (ends) range = {(*ends)[0], (*ends)[1]};
 }
 
-// A function's name, "off", or {"test", "write"}.
-DepthTest read_depth_test(const Place& place, Findings& findings) {
-  if (place.node->kind == JsonKind::object)
-    return read_plain_object<DepthTest>(place, "a depth test", findings);
-  DepthTest test;
-  Names names{names_of<CompareFunction>(), {}};
-  names.allowed.emplace_back(kDepthOff);
-  const auto name = read_choice(place, "a depth test", names, findings);
-  if (name == kDepthOff) test.write = false;
-  if (name && name != kDepthOff) parse_name(*name, test.function);
-  return test;
-}
-
-// The keys of one face for both, or {"front", "back"}.
-StencilTest read_stencil_test(const Place& place, Findings& findings) {
-  constexpr const char* kFace = "a face of a stencil test";
-  StencilTest test;
-  const JsonNode& node = *place.node;
-  const bool two = node.kind == JsonKind::object &&
-                   (node.find("front") != nullptr || node.find("back") != nullptr);
-  const ObjectReader object(place, "a stencil test",
-                            two ? kTwoFaceKeys : plain_object_keys<StencilFace>(), findings);
-  if (!two) {
-    read_fields(object, findings, test.front);
-    test.back = test.front;
-    return test;
-  }
-  if (const auto front = object.find("front"))
-    test.front = read_plain_object<StencilFace>(*front, kFace, findings);
-  if (const auto back = object.find("back"))
-    test.back = read_plain_object<StencilFace>(*back, kFace, findings);
-  return test;
-}
-
-std::array<bool, 4> read_color_mask(const Place& place, Findings& findings) {
-  std::array<bool, 4> mask{};
-  const auto text = read_text(place, "a colour mask", {0, 200}, findings);
-  if (!text) return FragmentOperations().color_mask;
-  std::string_view rest = *text;
-  constexpr std::string_view kLetters = "rgba";
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    mask[i] = rest.starts_with(kLetters[i]);
-    if (mask[i]) rest.remove_prefix(1);
-  }
-  if (!rest.empty())
-    findings.add(place, fmt::format("{} is no colour mask", quote(*text)),
-                 "write the letters of \"rgba\" that are written, in this order");
-  return mask;
-}
-
 // A test on a buffer that the target lacks would always pass.
 void refuse_without_buffer(const ObjectReader& state, const TargetFields& target, const Draw& draw,
                            Findings& findings) {
@@ -237,30 +206,6 @@ void refuse_without_buffer(const ObjectReader& state, const TargetFields& target
            "write \"stencil\": \"stencil8\" into the target, or remove the key");
 }
 
-JsonPiece depth_piece(const DepthTest& test) {
-  if (test.write) return json_string(name_of(test.function));
-  if (test.function == CompareFunction::always) return json_string(kDepthOff);
-  return json_object(
-      {named("test", json_string(name_of(test.function))), named("write", json_scalar("false"))});
-}
-
-JsonPiece stencil_piece(const StencilTest& test) {
-  if (test.front == test.back) return plain_object_piece(test.front);
-  Pieces members;
-  const StencilFace standard;
-  if (test.front != standard) members.push_back(named("front", plain_object_piece(test.front)));
-  if (test.back != standard) members.push_back(named("back", plain_object_piece(test.back)));
-  return json_object(std::move(members));
-}
-
-JsonPiece color_mask_piece(const std::array<bool, 4>& mask) {
-  constexpr std::array<char, 4> kLetters{'r', 'g', 'b', 'a'};
-  std::string text;
-  for (std::size_t i = 0; i < mask.size(); ++i)
-    if (mask[i]) text += kLetters[i];
-  return json_string(text);
-}
-
 }  // namespace
 
 std::vector<std::string> target_operation_keys() {
@@ -278,44 +223,104 @@ void read_target_operations(const ObjectReader& object, TargetFields& fields, Fi
   if (target.clear_depth != 1) refuse_beside_passes(object, kClearDepth, findings);
 }
 
-std::vector<std::string> fragment_operation_keys() {
-  return {kDepth, kStencil, kBlend, kColorMask, kPolygonOffset};
-}
-
-void read_fragment_operations(const ObjectReader& state, const TargetFields& target, Draw& draw,
-                              Findings& findings) {
-  FragmentOperations& operations = draw.operations;
-  if (const auto depth = state.find(kDepth)) operations.depth = read_depth_test(*depth, findings);
-  if (const auto stencil = state.find(kStencil))
-    operations.stencil = read_stencil_test(*stencil, findings);
-  if (const auto blend = state.find(kBlend)) operations.blending = read_blending(*blend, findings);
-  if (const auto mask = state.find(kColorMask))
-    operations.color_mask = read_color_mask(*mask, findings);
-  if (const auto offset = state.find(kPolygonOffset))
-    draw.polygon_offset = read_plain_object<PolygonOffset>(*offset, "a polygon offset", findings);
+void check_fragment_operations(const ObjectReader& state, const TargetFields& target,
+                               const Draw& draw, Findings& findings) {
   refuse_without_buffer(state, target, draw, findings);
   if (!target.supersample_place) return;
   const FragmentOperations standard;
-  if (operations.depth != standard.depth) refuse_beside_passes(state, kDepth, findings);
-  if (operations.stencil) refuse_beside_passes(state, kStencil, findings);
-  if (operations.blending) refuse_beside_passes(state, kBlend, findings);
-  if (operations.color_mask != standard.color_mask)
-    refuse_beside_passes(state, kColorMask, findings);
+  for_each_form<FragmentOperations>([&](const auto& field, const auto&) {
+    if (draw.operations.*field.member != standard.*field.member)
+      refuse_beside_passes(state, field.case_key, findings);
+  });
 }
 
-std::vector<JsonPiece> fragment_operation_pieces(const Draw& draw) {
-  const FragmentOperations standard;
-  const FragmentOperations& operations = draw.operations;
+// A function's name, "off", or {"test", "write"}.
+
+void Form<DepthTest>::read(const Place& place, const char* title, Limits, Findings& findings,
+                           DepthTest& test) {
+  if (place.node->kind == JsonKind::object) {
+    test = read_object<DepthTest>(place, title, findings);
+    return;
+  }
+  Names names{names_of<CompareFunction>(), {}};
+  names.allowed.emplace_back(kDepthOff);
+  const auto name = read_choice(place, title, names, findings);
+  if (name == kDepthOff) test.write = false;
+  if (name && name != kDepthOff) parse_name(*name, test.function);
+}
+
+JsonPiece Form<DepthTest>::piece(const DepthTest& test) {
+  if (test.write) return json_string(name_of(test.function));
+  if (test.function == CompareFunction::always) return json_string(kDepthOff);
+  return json_object(
+      {named("test", json_string(name_of(test.function))), named("write", json_scalar("false"))});
+}
+
+void Form<DepthTest>::describe(Limits, Pieces& members) {
+  members.push_back(reference_to("depth_test"));
+}
+
+// The keys of one face for both, or {"front", "back"}.
+
+void Form<std::optional<StencilTest>>::read(const Place& place, const char* title, Limits,
+                                            Findings& findings, std::optional<StencilTest>& value) {
+  constexpr const char* kFace = "a face of a stencil test";
+  StencilTest& test = value.emplace();
+  const JsonNode& node = *place.node;
+  const bool two = node.kind == JsonKind::object &&
+                   (node.find("front") != nullptr || node.find("back") != nullptr);
+  const ObjectReader object(place, title, two ? kTwoFaceKeys : object_keys<StencilFace>(),
+                            findings);
+  if (!two) {
+    read_fields(object, findings, test.front);
+    test.back = test.front;
+    return;
+  }
+  if (const auto front = object.find("front"))
+    test.front = read_object<StencilFace>(*front, kFace, findings);
+  if (const auto back = object.find("back"))
+    test.back = read_object<StencilFace>(*back, kFace, findings);
+}
+
+JsonPiece Form<std::optional<StencilTest>>::piece(const std::optional<StencilTest>& value) {
+  if (value->front == value->back) return object_piece(value->front);
   Pieces members;
-  if (draw.polygon_offset)
-    members.push_back(named(kPolygonOffset, plain_object_piece(*draw.polygon_offset)));
-  if (operations.stencil) members.push_back(named(kStencil, stencil_piece(*operations.stencil)));
-  if (operations.depth != standard.depth)
-    members.push_back(named(kDepth, depth_piece(operations.depth)));
-  if (operations.blending) members.push_back(named(kBlend, blend_piece(*operations.blending)));
-  if (operations.color_mask != standard.color_mask)
-    members.push_back(named(kColorMask, color_mask_piece(operations.color_mask)));
-  return members;
+  const StencilFace standard;
+  if (value->front != standard) members.push_back(named("front", object_piece(value->front)));
+  if (value->back != standard) members.push_back(named("back", object_piece(value->back)));
+  return json_object(std::move(members));
+}
+
+void Form<std::optional<StencilTest>>::describe(Limits, Pieces& members) {
+  members.push_back(reference_to("stencil_test"));
+}
+
+// Some of the letters "rgba".
+
+void Form<ColorMask>::read(const Place& place, const char* title, Limits, Findings& findings,
+                           ColorMask& mask) {
+  const auto text = read_text(place, title, {0, 200}, findings);
+  if (!text) return;
+  std::string_view rest = *text;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    mask[i] = rest.starts_with(kLetters[i]);
+    if (mask[i]) rest.remove_prefix(1);
+  }
+  if (!rest.empty())
+    findings.add(place, fmt::format("{} is no colour mask", quote(*text)),
+                 "write the letters of \"rgba\" that are written, in this order");
+}
+
+JsonPiece Form<ColorMask>::piece(const ColorMask& mask) {
+  std::string text;
+  for (std::size_t i = 0; i < mask.size(); ++i)
+    if (mask[i]) text += kLetters[i];
+  return json_string(text);
+}
+
+void Form<ColorMask>::describe(Limits, Pieces& members) {
+  members.push_back(named("type", json_string("string")));
+  members.push_back(named("pattern", json_string("^r?g?b?a?$")));
 }
 
 }  // namespace edgecase

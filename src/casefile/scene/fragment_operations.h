@@ -49,7 +49,8 @@ inline bool takes_factors(BlendEquation equation) {
 }
 
 // Fragment operations of a draw's state: stencil and depth test, blending, colour mask, polygon
-// offset (GL 4.6 core, 14.6 and 17.3), and the buffers of a target for them.
+// offset (GL 4.6 core, 14.6 and 17.3), and the buffers of a target for them. Their forms are
+// declared in casefile/scene/forms.h.
 
 // The keys of a target that read_target_operations reads.
 std::vector<std::string> target_operation_keys();
@@ -58,16 +59,10 @@ std::vector<std::string> target_operation_keys();
 // without their buffer.
 void read_target_operations(const ObjectReader& object, TargetFields& fields, Findings& findings);
 
-// The keys of a draw's state that read_fragment_operations reads.
-std::vector<std::string> fragment_operation_keys();
-
-// Reads into a draw of that target. Refuses a test without its buffer and, with supersampling,
-// everything beyond overwriting fragments.
-void read_fragment_operations(const ObjectReader& state, const TargetFields& target, Draw& draw,
-                              Findings& findings);
-
-// The inverse: members of a draw's "state" that differ from the defaults.
-std::vector<JsonPiece> fragment_operation_pieces(const Draw& draw);
+// Checks a draw that has been read for that target. Refuses a test without its buffer and, with
+// supersampling, everything beyond overwriting fragments.
+void check_fragment_operations(const ObjectReader& state, const TargetFields& target,
+                               const Draw& draw, Findings& findings);
 
 // Their definitions in the schema.
 Pieces fragment_operation_schemas();

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "casefile/json/schema.h"
+#include "casefile/scene/forms.h"
 #include "casefile/scene/fragment_operations.h"
 #include "casefile/scene/patterns.h"
-#include "casefile/scene/plain_fields.h"
 #include "casefile/scene/samples.h"
 
 namespace edgecase {

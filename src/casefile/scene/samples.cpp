@@ -12,8 +12,8 @@
 
 #include "casefile/json/numbers.h"
 #include "casefile/json/text.h"
+#include "casefile/scene/forms.h"
 #include "casefile/scene/patterns.h"
-#include "casefile/scene/plain_fields.h"
 
 namespace edgecase {
 
@@ -60,7 +60,7 @@ void refuse_of_one_sample(const ObjectReader& state, Findings& findings) {
 }  // namespace
 
 std::vector<std::string> multisampling_keys() {
-  std::vector<std::string> keys = plain_keys<Multisampling>();
+  std::vector<std::string> keys = keys_of<Multisampling>();
   keys.emplace_back(kMask);
   return keys;
 }

@@ -8,8 +8,8 @@
 
 #include "casefile/mesh/mesh.h"
 #include "casefile/mesh/transform.h"
+#include "casefile/scene/forms.h"
 #include "casefile/scene/fragment_operations.h"
-#include "casefile/scene/plain_fields.h"
 #include "casefile/scene/samples.h"
 #include "casefile/scene/textures.h"
 #include "casefile/scene/viewport.h"
@@ -130,32 +130,9 @@ Keys target_keys() {
   Keys keys{required_keys<Target>(),
             {"samples", "sample_positions", "depth", "clear", "viewport", "y", "supersample"},
             {}};
-  for (std::string& name : plain_keys<Target>()) keys.optional.push_back(std::move(name));
+  for (std::string& name : keys_of<Target>()) keys.optional.push_back(std::move(name));
   for (std::string& name : target_operation_keys()) keys.optional.push_back(std::move(name));
   return keys;
-}
-const Keys kRectangleKeys{{"x", "y", "width", "height"}, {}, {}};
-
-void read_into(const ObjectReader& object, const char* name, IntegerRange range, Findings& findings,
-               int& value) {
-  const auto place = object.find(name);
-  if (!place) return;
-  value = read_integer(*place, name, range, findings).value_or(value);
-}
-
-// {"x", "y", "width", "height"} in whole pixels: corners from -16384 to 16384, sizes from
-// `least_size` to 16384. `what` names it in messages: "a viewport".
-std::optional<Viewport> read_rectangle(const Place& place, std::string_view what, int least_size,
-                                       Findings& findings) {
-  const std::size_t before = findings.size();
-  const ObjectReader object(place, what, kRectangleKeys, findings);
-  Viewport rectangle;
-  read_into(object, "x", {-kMaxViewportSize, kMaxViewportSize}, findings, rectangle.x);
-  read_into(object, "y", {-kMaxViewportSize, kMaxViewportSize}, findings, rectangle.y);
-  read_into(object, "width", {least_size, kMaxViewportSize}, findings, rectangle.width);
-  read_into(object, "height", {least_size, kMaxViewportSize}, findings, rectangle.height);
-  if (findings.size() != before) return std::nullopt;
-  return rectangle;
 }
 
 }  // namespace
@@ -184,11 +161,9 @@ namespace {
 
 const Keys kDrawKeys{{"primitive"}, {"vertices", "mesh", "state", "color", "transform"}, {}};
 Keys state_keys() {
-  Keys keys{{}, plain_keys<Draw>(), {}};
-  for (const char* name : {"scissor", "texture", "sampler", "lookup"})
-    keys.optional.emplace_back(name);
+  Keys keys{{}, keys_of<Draw>(), {}};
+  for (const char* name : {"texture", "sampler", "lookup"}) keys.optional.emplace_back(name);
   for (std::string& name : multisampling_keys()) keys.optional.push_back(std::move(name));
-  for (std::string& name : fragment_operation_keys()) keys.optional.push_back(std::move(name));
   return keys;
 }
 
@@ -199,10 +174,8 @@ TextureState read_state(const Place& place, const DrawContext& context, Draw& dr
   static const Keys kStateKeys = state_keys();
   const ObjectReader object(place, "a state", kStateKeys, findings);
   read_fields(object, findings, draw);
-  if (const auto scissor = object.find("scissor"))
-    draw.scissor = read_rectangle(*scissor, "a scissor", 0, findings);
   draw.multisampling = read_multisampling(object, context.target.target.samples, findings);
-  read_fragment_operations(object, context.target, draw, findings);
+  check_fragment_operations(object, context.target, draw, findings);
   TextureState texture = read_texture_state(object, context.textures, findings);
   draw.texture = texture.use;
   // Flat lookups would show one texel throughout, so that has to be requested.

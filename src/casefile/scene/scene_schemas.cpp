@@ -8,7 +8,7 @@
 #include "casefile/json/numbers.h"
 #include "casefile/json/schema.h"
 #include "casefile/mesh/mesh.h"
-#include "casefile/scene/plain_fields.h"
+#include "casefile/scene/forms.h"
 #include "casefile/scene/scene_reader.h"
 #include "casefile/scene/viewport.h"
 
@@ -220,33 +220,6 @@ constexpr std::string_view kDrawSchema = R"json({
         "properties": {
           "@fields": 0,
           "@multisampling": 0,
-          "scissor": {
-            "title": "Scissor",
-            "description": "Fragments outside this rectangle are dropped; a size of 0 drops all \
-                of them. Left out, none is dropped.",
-            "$ref": "#/$defs/rectangle"
-          },
-          "depth": {"$ref": "#/$defs/depth_test"},
-          "stencil": {"$ref": "#/$defs/stencil_test"},
-          "blend": {"$ref": "#/$defs/blend"},
-          "color_mask": {
-            "title": "Colour mask",
-            "description": "Which components are written (glColorMask): letters of \"rgba\", in \
-                this order.",
-            "type": "string",
-            "pattern": "^r?g?b?a?$",
-            "default": "rgba"
-          },
-          "polygon_offset": {
-            "title": "Polygon offset",
-            "description": "Added to the depths of triangles (glPolygonOffsetClamp): factor m + \
-                units r, with m the depth's slope and r the least difference that the depth \
-                buffer keeps apart; where the clamp is not 0, no farther than it. Lines and \
-                points are left alone.",
-            "type": "object",
-            "additionalProperties": false,
-            "properties": {"@polygon_offset": 0}
-          },
           "sample_mask": {
             "title": "Sample mask",
             "description": "Of a target with several samples: bit s lets sample s be covered \
@@ -296,7 +269,6 @@ Pieces draw_schemas() {
                         named("vertices", schema_number(kMaxVertices)),
                         named("fields", json_object(field_schemas<Draw>())),
                         named("multisampling", json_object(field_schemas<Multisampling>())),
-                        named("polygon_offset", json_object(field_schemas<PolygonOffset>())),
                         named("mask", schema_number((1U << kMaxSamples) - 1)),
                         named("last_texture", schema_number(kMaxTextures - 1))});
 }

@@ -8,7 +8,7 @@
 #include "casefile/json/numbers.h"
 #include "casefile/json/schema.h"
 #include "casefile/json/text.h"
-#include "casefile/scene/plain_fields.h"
+#include "casefile/scene/forms.h"
 
 namespace edgecase {
 
@@ -21,7 +21,7 @@ constexpr Float32Range kGradientRange{-kMaxGradient, kMaxGradient};
 
 const Keys& sampler_keys() {
   static const Keys keys = [] {
-    Keys all{{}, plain_keys<Sampler>(), {}};
+    Keys all{{}, keys_of<Sampler>(), {}};
     all.optional.insert(all.optional.begin(), "wrap");
     all.optional.push_back("border");
     return all;

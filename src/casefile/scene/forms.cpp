@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "casefile/scene/plain_fields.h"
+#include "casefile/scene/forms.h"
 
 #include <fmt/format.h>
 
+#include "casefile/scene/viewport.h"
 #include "exact/numeral.h"
 
 namespace edgecase {
@@ -62,6 +63,10 @@ JsonPiece plain_piece(Fixed value) {
   return json_string(to_fraction(value));
 }
 
+JsonPiece reference_to(const char* definition) {
+  return named("$ref", json_string(std::string("#/$defs/") + definition));
+}
+
 std::string with_limits(std::string_view description, Limits limits) {
   return fmt::format(fmt::runtime(description), fmt::arg("low", number_text(limits.low)),
                      fmt::arg("high", number_text(limits.high)));
@@ -70,6 +75,50 @@ std::string with_limits(std::string_view description, Limits limits) {
 void add_limits(Limits limits, bool is_size, Pieces& members) {
   members.push_back(named(is_size ? "exclusiveMinimum" : "minimum", schema_number(limits.low)));
   members.push_back(named("maximum", schema_number(limits.high)));
+}
+
+namespace {
+
+constexpr const char* kRectangle = "rectangle";
+const Keys kRectangleKeys{{"x", "y", "width", "height"}, {}, {}};
+
+}  // namespace
+
+std::optional<Viewport> read_rectangle(const Place& place, std::string_view title, int least_size,
+                                       Findings& findings) {
+  const std::size_t before = findings.size();
+  const ObjectReader object(place, title, kRectangleKeys, findings);
+  Viewport rectangle;
+  const auto read = [&](const char* key, int least, int& value) {
+    if (const auto found = object.find(key))
+      value = read_integer(*found, key, {least, kMaxViewportSize}, findings).value_or(value);
+  };
+  read("x", -kMaxViewportSize, rectangle.x);
+  read("y", -kMaxViewportSize, rectangle.y);
+  read("width", least_size, rectangle.width);
+  read("height", least_size, rectangle.height);
+  if (findings.size() != before) return std::nullopt;
+  return rectangle;
+}
+
+JsonPiece rectangle_piece(const Viewport& rectangle) {
+  return json_object({named("x", integer_piece(rectangle.x)),
+                      named("y", integer_piece(rectangle.y)),
+                      named("width", integer_piece(rectangle.width)),
+                      named("height", integer_piece(rectangle.height))});
+}
+
+void Form<std::optional<Viewport>>::read(const Place& place, const char* title, Limits,
+                                         Findings& findings, std::optional<Viewport>& value) {
+  value = read_rectangle(place, title, 0, findings);
+}
+
+JsonPiece Form<std::optional<Viewport>>::piece(const std::optional<Viewport>& value) {
+  return rectangle_piece(*value);
+}
+
+void Form<std::optional<Viewport>>::describe(Limits, Pieces& members) {
+  members.push_back(reference_to(kRectangle));
 }
 
 }  // namespace edgecase
