@@ -90,7 +90,7 @@ TEST(Limits, OfVertices) {
   const char* target = R"("width": 8, "height": 8)";
   expect_loaded(case_of(target, "points", "[1, 1]", kMaxVertices));
   expect_refused(case_of(target, "points", "[1, 1]", kMaxVertices + 1), "/draws",
-                 "a case has 65537 vertices");
+                 fmt::format("a case has {} vertices", kMaxVertices + 1).c_str());
 }
 
 TEST(Limits, OfATargetsSamples) {

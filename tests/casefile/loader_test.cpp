@@ -110,8 +110,8 @@ TEST(Loader, CountsVerticesOverAllDraws) {
   const auto draws = [&](int a, int b) {
     return with("\"draws\": [" + draw(a) + "," + draw(b) + "]");
   };
-  EXPECT_EQ(load(draws(32768, 32768)).cases.size(), 1U);
-  const LoadedCases loaded = load(draws(32768, 32769));
+  EXPECT_EQ(load(draws(131072, 131072)).cases.size(), 1U);
+  const LoadedCases loaded = load(draws(131072, 131073));
   ASSERT_EQ(loaded.diagnostics.size(), 1U);
   EXPECT_EQ(loaded.diagnostics[0].pointer, "/draws");
 }

@@ -29,6 +29,6 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
  The exact rasterizer, the reader of case files and the judge as static
  libraries with a CMake package.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "edgecase (= ${PROJECT_VERSION}), libboost-dev, libfmt-dev, libhwy-dev, libtinyobjloader-dev, nlohmann-json3-dev, libzstd-dev, zlib1g-dev")
+  "edgecase (= ${PROJECT_VERSION}), libboost-dev, libfmt-dev, libhwy-dev, nlohmann-json3-dev, libzstd-dev, zlib1g-dev")
 
 include(CPack)

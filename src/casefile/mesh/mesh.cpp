@@ -2,10 +2,8 @@
 #include "casefile/mesh/mesh.h"
 
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -15,6 +13,7 @@
 
 #include "casefile/json/numbers.h"
 #include "casefile/json/text.h"
+#include "casefile/mesh/triangulation.h"
 
 namespace edgecase {
 
@@ -22,118 +21,59 @@ namespace {
 
 namespace fs = std::filesystem;
 
-MeshVertex vertex_of(const tinyobj::attrib_t& attributes, const tinyobj::index_t& corner,
-                     bool has_colors) {
-  MeshVertex vertex;
-  const auto index = static_cast<std::size_t>(corner.vertex_index);
-  for (std::size_t i = 0; i < 3; ++i) vertex.position[i] = attributes.vertices[3 * index + i];
-  if (corner.texcoord_index >= 0) {
-    const float* uv = &attributes.texcoords[2 * static_cast<std::size_t>(corner.texcoord_index)];
-    vertex.uv = {uv[0] + 0.0F, uv[1] + 0.0F};
-  }
-  if (!has_colors) return vertex;
-  Color color{0, 0, 0, 1};
-  for (std::size_t i = 0; i < 3; ++i) color[i] = attributes.colors[3 * index + i] + 0.0F;
-  vertex.color = color;
-  return vertex;
-}
-
-LoadedMesh refused(std::string message, std::string remedy) {
-  return {{}, std::move(message), std::move(remedy)};
-}
-
-}  // namespace
-
-LoadedMesh parse_mesh(const std::string& obj_text) {
-  const ObjCheck check = check_obj(obj_text);
-  if (!check.message.empty())
-    return refused(fmt::format("{}{}", check.line > 0 ? fmt::format("line {}: ", check.line) : "",
-                               check.message),
-                   check.remedy);
-  tinyobj::ObjReaderConfig config;
-  config.vertex_color = false;  // otherwise missing colours become white
-  tinyobj::ObjReader reader;
-  if (!reader.ParseFromString(check.cleaned, "", config))
-    return refused("the library cannot read it: " + reader.Error(), "write it anew");
-  const tinyobj::attrib_t& attributes = reader.GetAttrib();
-  const auto is_finite = [](float value) { return std::isfinite(value); };
-  if (!std::all_of(attributes.vertices.begin(), attributes.vertices.end(), is_finite) ||
-      !std::all_of(attributes.texcoords.begin(), attributes.texcoords.end(), is_finite) ||
-      !std::all_of(attributes.colors.begin(), attributes.colors.end(), is_finite))
-    return refused("a vertex has a number with an exponent that the library cannot read",
-                   "write it without an exponent");
-  LoadedMesh loaded;
-  for (const tinyobj::shape_t& shape : reader.GetShapes())
-    for (const tinyobj::index_t& index : shape.mesh.indices)
-      loaded.mesh.push_back(vertex_of(attributes, index, check.has_colors));
-  if (loaded.mesh.size() != 3 * check.triangles)
-    return refused(fmt::format("the faces make {} triangles, where their corners make {}",
-                               loaded.mesh.size() / 3, check.triangles),
-                   "write triangles: a face with more corners has no area, or crosses itself");
-  return loaded;
-}
-
-const Mesh* MeshShelf::find(const Place& place, Findings& findings) {
-  if (!read_text(place, "a mesh", kPathLimits, findings)) return nullptr;
-  const auto file = find_in_suite(case_file_, place, "an OBJ file", findings);
-  if (!file) return nullptr;
-  const auto [entry, fresh] = meshes_.try_emplace(*file);
-  LoadedMesh& loaded = entry->second;
-  if (fresh) {
-    TextFile text = read_text_file(*file, kMaxFileBytes);
-    loaded = text.text ? parse_mesh(*text.text)
-                       : refused(std::move(text.message), std::move(text.remedy));
-  }
-  if (!loaded.message.empty()) {
-    findings.add(place, fmt::format("{}: {}", quote(place.node->text), loaded.message),
-                 loaded.remedy);
-    return nullptr;
-  }
-  used_ += loaded.mesh.size();
-  if (used_ <= kMost) return &loaded.mesh;
-  findings.add(place,
-               fmt::format("the cases of the file use {} vertices of meshes and more", used_),
-               "use a smaller mesh, or fewer values");
-  return nullptr;
-}
-
-namespace {
-
 using Words = std::vector<std::string_view>;
 
 constexpr std::size_t kMostCorners = 255;
 constexpr std::size_t kMostCharacters = 40;  // of a number
 constexpr std::string_view kLeftOut[] = {"vn", "vp", "o", "g", "s", "usemtl", "mtllib"};
 
-// Lines end in LF, CR LF or CR.
-std::vector<std::string_view> lines_of(std::string_view text) {
-  std::vector<std::string_view> lines;
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = std::min(text.find_first_of("\r\n", start), text.size());
-    lines.push_back(text.substr(start, end - start));
-    start = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
-  }
-  return lines;
-}
-
-Words split_words(std::string_view line) {
-  Words words;
+// Adds the words of a line up to a comment.
+void add_words(std::string_view line, Words& words) {
+  line = line.substr(0, line.find('#'));
   for (std::size_t at = line.find_first_not_of(" \t"); at < line.size();) {
     const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
     words.push_back(line.substr(at, end - at));
     at = std::min(line.find_first_not_of(" \t", end), line.size());
   }
-  return words;
 }
 
-std::optional<double> number_of(std::string_view word) {
+struct Line {
+  std::size_t number = 0;  // from 1, of the first of those that go on
+  Words words;
+};
+
+// Lines end in LF, CR LF or CR, and go on behind a backslash. Those without words are left out.
+std::vector<Line> lines_of(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  std::vector<Line> lines;
+  bool goes_on = false;
+  std::size_t number = 0;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", start), text.size());
+    std::string_view line = text.substr(start, end - start);
+    start = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+    ++number;
+    if (!goes_on) lines.push_back({number, {}});
+    goes_on = line.ends_with('\\');
+    if (goes_on) line.remove_suffix(1);
+    add_words(line, lines.back().words);
+  }
+  std::erase_if(lines, [](const Line& line) { return line.words.empty(); });
+  return lines;
+}
+
+// The nearest float32 of a decimal.
+std::optional<float> number_of(std::string_view word) {
   if (word.size() > kMostCharacters) return std::nullopt;
   if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
   if (!(std::fabs(value) <= static_cast<double>(kMaxColor))) return std::nullopt;
-  return value;
+  float nearest = 0;  // of what is too small, which is out of range
+  std::from_chars(word.data(), word.data() + word.size(), nearest);
+  return nearest;
 }
 
 std::optional<std::int64_t> integer_of(std::string_view word) {
@@ -143,64 +83,74 @@ std::optional<std::int64_t> integer_of(std::string_view word) {
   return value;
 }
 
-class Checker {
+struct ObjCorner {
+  std::size_t vertex = 0;
+  std::optional<std::size_t> uv;
+};
+
+struct ObjFace {
+  std::size_t line = 0;
+  std::vector<ObjCorner> corners;
+};
+
+class ObjReader {
  public:
-  explicit Checker(std::string_view text) : lines_(lines_of(text)) {}
-  ObjCheck run();
+  explicit ObjReader(std::string_view text) : lines_(lines_of(text)) {}
+
+  LoadedMesh read() {
+    for (const Line& line : lines_) {
+      if (line.words[0] == "v") ++all_vertices_;
+      if (line.words[0] == "vt") ++all_coordinates_;
+    }
+    for (const Line& line : lines_) {
+      line_ = line.number;
+      read_line(line.words);
+      if (!result_.message.empty()) return std::move(result_);
+    }
+    line_ = 0;
+    if (triangles_ == 0)
+      refuse("the file has no faces", "add faces: \"f 1 2 3\"");
+    else if (3 * triangles_ > kMaxVertices)
+      refuse(fmt::format("the file's faces make {} triangles", triangles_),
+             fmt::format("use a mesh of {} at most", kMaxVertices / 3));
+    else
+      cut_faces();
+    return std::move(result_);
+  }
 
  private:
-  void check_line(const Words& words);
-  void check_vertex(const Words& words);
-  void check_texture_coordinates(const Words& words);
-  void check_face(const Words& words);
-  // A corner of a face, with indices from 1; nothing, and a fault, if the word is not a corner.
-  std::optional<std::string> corner_of(std::string_view word);
-  // An index from 1; nothing, and a fault, if it is out of range. `what` names the indexed items:
-  // `read` of them have been read, and the file has `all`.
-  std::optional<std::int64_t> index_from_one(std::int64_t index, const char* what,
-                                             std::int64_t read, std::int64_t all);
   void refuse(std::string message, std::string remedy) {
-    result_.line = line_;
-    result_.message = std::move(message);
+    result_.message = (line_ > 0 ? fmt::format("line {}: ", line_) : "") + std::move(message);
     result_.remedy = std::move(remedy);
   }
 
-  std::vector<std::string_view> lines_;
-  std::size_t line_ = 0;
-  std::int64_t all_vertices_ = 0;  // of the file
-  std::int64_t vertices_ = 0;      // read so far
-  std::int64_t all_coordinates_ = 0;
-  std::int64_t coordinates_ = 0;
-  ObjCheck result_;
+  void read_line(const Words& words);
+  void read_vertex(const Words& words);
+  void read_texture_coordinates(const Words& words);
+  void read_face(const Words& words);
+  // Nothing, and a fault, if the word is not a corner.
+  std::optional<ObjCorner> corner_of(std::string_view word);
+  // An index from 0; nothing, and a fault, if it is out of range. `what` names the indexed items:
+  // `read` of them have been read, and the file has `all`.
+  std::optional<std::size_t> index_of(std::int64_t index, const char* what, std::size_t read,
+                                      std::size_t all);
+  void cut_faces();
+
+  std::vector<Line> lines_;
+  std::size_t line_ = 0;  // of the fault; 0: the whole file
+  std::size_t all_vertices_ = 0;
+  std::size_t all_coordinates_ = 0;
+  std::vector<MeshVertex> vertices_;  // without texture coordinates
+  std::vector<std::array<float, 2>> coordinates_;
+  std::vector<ObjFace> faces_;
+  std::size_t triangles_ = 0;
+  LoadedMesh result_;
 };
 
-ObjCheck Checker::run() {
-  for (const std::string_view line : lines_) {
-    const Words words = split_words(line);
-    if (!words.empty() && words[0] == "v") ++all_vertices_;
-    if (!words.empty() && words[0] == "vt") ++all_coordinates_;
-  }
-  for (const std::string_view line : lines_) {
-    ++line_;
-    check_line(split_words(line));
-    if (!result_.message.empty()) return std::move(result_);
-  }
-  line_ = 0;
-  if (result_.triangles == 0)
-    refuse("the file has no faces", "add faces: \"f 1 2 3\"");
-  else if (3 * result_.triangles > kMaxVertices)
-    refuse(fmt::format("the file's faces make {} triangles", result_.triangles),
-           fmt::format("use a mesh of {} at most", kMaxVertices / 3));
-  return std::move(result_);
-}
-
-void Checker::check_line(const Words& words) {
-  if (words.empty() || words[0].starts_with('#')) return;
-  if (words.back().ends_with('\\'))
-    return refuse("the line goes on in the next one", "write it as one line");
-  if (words[0] == "v") return check_vertex(words);
-  if (words[0] == "vt") return check_texture_coordinates(words);
-  if (words[0] == "f") return check_face(words);
+void ObjReader::read_line(const Words& words) {
+  if (words[0] == "v") return read_vertex(words);
+  if (words[0] == "vt") return read_texture_coordinates(words);
+  if (words[0] == "f") return read_face(words);
   if (std::find(std::begin(kLeftOut), std::end(kLeftOut), words[0]) != std::end(kLeftOut)) return;
   if (words[0] == "l" || words[0] == "p")
     return refuse("lines and points of a mesh are not supported yet", "keep only its faces");
@@ -208,10 +158,10 @@ void Checker::check_line(const Words& words) {
          "keep only vertices (v, vt, vn), faces (f) and names (o, g, s, usemtl, mtllib)");
 }
 
-void Checker::check_vertex(const Words& words) {
-  std::vector<double> numbers;
+void ObjReader::read_vertex(const Words& words) {
+  std::vector<float> numbers;
   for (std::size_t i = 1; i < words.size(); ++i) {
-    const std::optional<double> number = number_of(words[i]);
+    const std::optional<float> number = number_of(words[i]);
     if (!number)
       return refuse(fmt::format("{} is no number of a vertex", quote(words[i])),
                     "write a decimal like 0.5, of magnitude 2^64 at most");
@@ -223,42 +173,44 @@ void Checker::check_vertex(const Words& words) {
   if (count != 3 && count != 4 && count != 6)
     return refuse(fmt::format("a vertex has {} numbers", count),
                   "write x y z, or x y z and red green blue");
-  const bool colored = count == 6;
-  if (vertices_ > 0 && colored != result_.has_colors)
+  MeshVertex vertex;
+  std::copy_n(numbers.begin(), 3, vertex.position.begin());
+  if (count == 6)
+    vertex.color = {numbers[3] + 0.0F, numbers[4] + 0.0F, numbers[5] + 0.0F, 1};  // -0 becomes 0
+  if (!vertices_.empty() && vertex.color.has_value() != vertices_[0].color.has_value())
     return refuse("some vertices have colours, and some have none",
                   "give all of them one, or none");
-  result_.has_colors = colored;
-  ++vertices_;
-  result_.cleaned += 'v';
-  for (std::size_t i = 1; i < words.size(); ++i)
-    if (count != 4 || i < 4) result_.cleaned += fmt::format(" {}", words[i]);
-  result_.cleaned += '\n';
+  vertices_.push_back(vertex);
 }
 
-void Checker::check_texture_coordinates(const Words& words) {
+void ObjReader::read_texture_coordinates(const Words& words) {
   const std::size_t count = words.size() - 1;
   if (count < 1 || count > 3)
     return refuse(fmt::format("texture coordinates have {} numbers", count), "write u and v");
-  for (std::size_t i = 1; i < words.size(); ++i)
-    if (!number_of(words[i]))
-      return refuse(fmt::format("{} is no texture coordinate", quote(words[i])),
+  std::array<float, 3> numbers{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::optional<float> number = number_of(words[i + 1]);
+    if (!number)
+      return refuse(fmt::format("{} is no texture coordinate", quote(words[i + 1])),
                     "write a decimal like 0.5, of magnitude 2^64 at most");
-  ++coordinates_;
-  result_.cleaned += fmt::format("vt {} {}\n", words[1], count > 1 ? words[2] : "0");
+    numbers[i] = *number + 0.0F;
+  }
+  coordinates_.push_back({numbers[0], numbers[1]});
 }
 
-std::optional<std::int64_t> Checker::index_from_one(std::int64_t index, const char* what,
-                                                    std::int64_t read, std::int64_t all) {
+std::optional<std::size_t> ObjReader::index_of(std::int64_t index, const char* what,
+                                               std::size_t read, std::size_t all) {
   // Negative indices count back from the last item read.
-  const std::int64_t absolute = index < 0 ? read + 1 + index : index;
-  const std::int64_t most = index < 0 ? read : all;
-  if (absolute >= 1 && absolute <= most) return absolute;
+  const std::int64_t absolute = index < 0 ? static_cast<std::int64_t>(read) + 1 + index : index;
+  const std::size_t most = index < 0 ? read : all;
+  if (absolute >= 1 && static_cast<std::size_t>(absolute) <= most)
+    return static_cast<std::size_t>(absolute) - 1;
   refuse(fmt::format("a face names {} {}, and there are {}", what, index, most),
          fmt::format("write 1 to {}, or count back from -1", all));
   return std::nullopt;
 }
 
-std::optional<std::string> Checker::corner_of(std::string_view word) {
+std::optional<ObjCorner> ObjReader::corner_of(std::string_view word) {
   const std::optional<std::int64_t> vertex = integer_of(word.substr(0, word.find('/')));
   std::optional<std::int64_t> coordinates;
   std::size_t parts = 1;
@@ -276,34 +228,80 @@ std::optional<std::string> Checker::corner_of(std::string_view word) {
            "write the number of a vertex: 1, 1/2, 1//3 or 1/2/3");
     return std::nullopt;
   }
-  const auto first = index_from_one(*vertex, "vertex", vertices_, all_vertices_);
+  const auto first = index_of(*vertex, "vertex", vertices_.size(), all_vertices_);
   if (!first) return std::nullopt;
-  if (!coordinates) return std::to_string(*first);
+  if (!coordinates) return ObjCorner{*first, std::nullopt};
   const auto second =
-      index_from_one(*coordinates, "texture coordinates", coordinates_, all_coordinates_);
+      index_of(*coordinates, "texture coordinates", coordinates_.size(), all_coordinates_);
   if (!second) return std::nullopt;
-  return fmt::format("{}/{}", *first, *second);
+  return ObjCorner{*first, second};
 }
 
-void Checker::check_face(const Words& words) {
+void ObjReader::read_face(const Words& words) {
   const std::size_t corners = words.size() - 1;
   if (corners < 3 || corners > kMostCorners)
     return refuse(fmt::format("a face has {} corners", corners),
                   fmt::format("write 3 to {}", kMostCorners));
-  result_.cleaned += 'f';
+  ObjFace face{line_, {}};
   for (std::size_t i = 1; i < words.size(); ++i) {
-    const std::optional<std::string> corner = corner_of(words[i]);
+    const std::optional<ObjCorner> corner = corner_of(words[i]);
     if (!corner) return;
-    result_.cleaned += fmt::format(" {}", *corner);
+    face.corners.push_back(*corner);
   }
-  result_.cleaned += '\n';
-  result_.triangles += corners - 2;
+  faces_.push_back(std::move(face));
+  triangles_ += corners - 2;
+}
+
+void ObjReader::cut_faces() {
+  result_.mesh.reserve(3 * triangles_);
+  for (const ObjFace& face : faces_) {
+    std::vector<Vector> places;
+    for (const ObjCorner& corner : face.corners)
+      places.push_back(vertices_[corner.vertex].position);
+    const auto triangles = triangles_of(places);
+    if (triangles.empty()) {
+      line_ = face.line;
+      result_.mesh.clear();
+      return refuse("the face crosses itself", "write it as triangles");
+    }
+    for (const auto& triangle : triangles)
+      for (const std::size_t i : triangle) {
+        const ObjCorner& corner = face.corners[i];
+        MeshVertex vertex = vertices_[corner.vertex];
+        if (corner.uv) vertex.uv = coordinates_[*corner.uv];
+        result_.mesh.push_back(vertex);
+      }
+  }
 }
 
 }  // namespace
 
-ObjCheck check_obj(std::string_view text) {
-  return Checker(text).run();
+LoadedMesh parse_mesh(std::string_view obj_text) {
+  return ObjReader(obj_text).read();
+}
+
+const Mesh* MeshShelf::find(const Place& place, Findings& findings) {
+  if (!read_text(place, "a mesh", kPathLimits, findings)) return nullptr;
+  const auto file = find_in_suite(case_file_, place, "an OBJ file", findings);
+  if (!file) return nullptr;
+  const auto [entry, fresh] = meshes_.try_emplace(*file);
+  LoadedMesh& loaded = entry->second;
+  if (fresh) {
+    TextFile text = read_text_file(*file, kMaxFileBytes);
+    loaded = text.text ? parse_mesh(*text.text)
+                       : LoadedMesh{{}, std::move(text.message), std::move(text.remedy)};
+  }
+  if (!loaded.message.empty()) {
+    findings.add(place, fmt::format("{}: {}", quote(place.node->text), loaded.message),
+                 loaded.remedy);
+    return nullptr;
+  }
+  used_ += loaded.mesh.size();
+  if (used_ <= kMost) return &loaded.mesh;
+  findings.add(place,
+               fmt::format("the cases of the file use {} vertices of meshes and more", used_),
+               "use a smaller mesh, or fewer values");
+  return nullptr;
 }
 
 }  // namespace edgecase

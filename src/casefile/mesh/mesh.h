@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangle meshes from OBJ files. The only user of the OBJ library, tinyobjloader.
+// Triangle meshes from OBJ files.
 //
-// Triangles are in the order of the faces; the library splits faces with more corners in its own
-// way. Normals, groups and materials are ignored.
+// Triangles are in the order of the faces; casefile/mesh/triangulation.h cuts faces with more
+// corners. Normals, groups and materials are ignored.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 
 namespace edgecase {
 
-constexpr std::size_t kMaxVertices = 65536;  // of a case, over all draws
+constexpr std::size_t kMaxVertices = std::size_t{1} << 18;  // of a case, over all draws
 
 struct MeshVertex {
   Vector position{};  // object space
@@ -38,7 +38,12 @@ struct LoadedMesh {
   std::string remedy;
 };
 
-LoadedMesh parse_mesh(const std::string& obj_text);
+// Reads the text of an OBJ file. Vertices: "v x y z", "v x y z 1" or "v x y z r g b", magnitudes up
+// to 2^64, as the nearest float32. Texture coordinates: "vt u", "vt u v" or "vt u v w", of which w
+// is ignored. Faces: 3 to 255 corners. Comments may follow a line, which may go on in the next one.
+// Refuses lines and points, curves and surfaces, files without faces or with more triangles than a
+// case may have.
+LoadedMesh parse_mesh(std::string_view obj_text);
 
 // The meshes that the cases of one file use, each read once.
 class MeshShelf {
@@ -57,26 +62,5 @@ class MeshShelf {
   std::map<std::filesystem::path, LoadedMesh> meshes_;
   std::size_t used_ = 0;  // vertices handed out
 };
-
-// Checks the text of an OBJ file before a library reads it.
-//
-// The library reads a malformed number as 0, skips faces that it does not understand, and trusts
-// indices. So every line is checked here first, and only vertices, texture coordinates and faces
-// are passed on. The rest of the format (normals, names, groups, materials) is ignored.
-struct ObjCheck {
-  // The first fault: its line, from 1 (0: the whole file), and an empty message if there is none.
-  std::size_t line = 0;
-  std::string message;
-  std::string remedy;
-
-  std::string cleaned;        // OBJ text: "v", "vt" and "f" lines, indices from 1
-  std::size_t triangles = 0;  // made by its faces
-  bool has_colors = false;    // every vertex has one; otherwise none has
-};
-
-// Vertices: "v x y z", "v x y z 1" or "v x y z r g b", magnitudes up to 2^64. Texture coordinates:
-// "vt u", "vt u v" or "vt u v w", of which w is ignored. Faces: 3 to 255 corners. Refuses lines and
-// points, curves and surfaces, files without faces or with more triangles than a case may have.
-ObjCheck check_obj(std::string_view text);
 
 }  // namespace edgecase
