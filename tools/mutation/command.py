@@ -8,21 +8,21 @@ import time
 from pathlib import Path
 
 from mutation import arguments as argued
-from mutation import operators, score
+from mutation import score
 from mutation.project import ROOT, BuildError, edgecase, processors
 from mutation.record import UnmutatedFailure, record
 from mutation.source import SourceError
 from mutation.trial import Trial
 from share import in_share
 
-ARGUMENTS = ROOT / "tests/mutation/equivalent.json"
-PAGE = ROOT / "tests/mutation/SCORE.md"
+ARGUMENTS = ROOT / "tests/mutation/equivalent.txt"
 
 
 def parser():
     result = argparse.ArgumentParser(
         prog="tools/mutate", description="Makes small faults in src/exact, src/rules and "
-        "src/raster, one at a time, and says which of them no test notices.",
+        "src/raster, one at a time, says which of them no test notices, and prints the score: "
+        "how many tests notice, of those that are not argued equivalent.",
         epilog="Exit codes: 0 every survivor is argued equivalent, 1 one is not or an argument is "
         "stale, 2 usage, 3 the mutated copy cannot be built or fails without a mutant.")
     result.add_argument("--sample", type=int, metavar="N", help="only N mutants, drawn by chance")
@@ -38,8 +38,6 @@ def parser():
     result.add_argument("--report", type=Path, metavar="FILE",
                         help="write each mutant and what killed it")
     result.add_argument("--list", action="store_true", help="print the mutants and run nothing")
-    result.add_argument("--publish", action="store_true",
-                        help=f"write {PAGE.relative_to(ROOT)} (runs all mutants)")
     result.add_argument("--build", type=Path, default=ROOT / "build/mutate", metavar="DIR",
                         help="where the mutated copy is built")
     return result
@@ -115,8 +113,6 @@ def run(options):
     print(score.as_text(score.rows_by(outcomes, arguments, lambda m: m.file), "file"))
     print()
     print(score.as_text(score.rows_by(outcomes, arguments, lambda m: m.operator), "operator"))
-    if options.publish:
-        PAGE.write_text(score.published(outcomes, arguments, operators.__doc__), encoding="utf-8")
     faults = list(argued.faults(arguments, mutants, outcomes))
     for fault in faults:
         print(fault)
@@ -125,8 +121,6 @@ def run(options):
 
 def main():
     options = parser().parse_args()
-    if options.publish and (options.sample is not None or options.file or options.unkilled):
-        parser().error("--publish needs all mutants: leave out --sample, --file and --unkilled")
     try:
         return run(options)
     except (BuildError, SourceError, UnmutatedFailure, argued.ArgumentError) as error:

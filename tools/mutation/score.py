@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The score: per file and per operator, as a table for people and as Markdown."""
+"""The score: per file and per operator, as a table for people."""
 
 from collections import Counter
 from dataclasses import dataclass
@@ -48,28 +48,3 @@ def as_text(rows, title):
     return "\n".join(
         line[0].ljust(widths[0]) + "".join(f"  {cell:>{width}}" for cell, width in
                                            zip(line[1:], widths[1:])) for line in lines)
-
-
-def as_markdown(rows, title):
-    lines = [f"| {title} | " + " | ".join(HEAD[1:]) + " |", "|---" + "|--:" * 5 + "|"]
-    return "\n".join(lines + ["| " + " | ".join(row.cells()) + " |" for row in rows])
-
-
-def published(outcomes, arguments, operators_text):
-    """The committed page. No dates, no times: the same mutants give the same page."""
-    files = rows_by(outcomes, arguments, lambda mutant: mutant.file)
-    kinds = rows_by(outcomes, arguments, lambda mutant: mutant.operator)
-    return f"""# How many mutants of our own code the tests kill
-
-Written by `tools/mutate --publish`; do not edit. One mutant is one small fault, made mechanically
-in `src/exact`, `src/rules` or `src/raster`, and it is killed when a test fails. The score is killed
-by mutants that are not argued equivalent; the arguments are in `equivalent.json`.
-
-{as_markdown(files, "file")}
-
-{as_markdown(kinds, "operator")}
-
-```
-{operators_text.strip()}
-```
-"""

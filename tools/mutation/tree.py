@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """All mutants of a set of files, numbered, and a copy of the repository that holds them."""
 
-import re
 from collections import Counter
 from dataclasses import dataclass
 
+from mutation.arguments import NOTHING, joined
 from mutation.rewrite import mutated_text
 from mutation.sites import Finder
 from mutation.source import Source
@@ -28,12 +28,7 @@ class Mutant:
     def __str__(self):
         nth = f" (no. {self.nth})" if self.nth > 1 else ""
         return (f"{self.number:5} {self.file}:{self.line} {self.operator} in {self.function}: "
-                f"{self.site}{nth}  ->  {self.replacement or '(nothing)'}")
-
-
-def joined(text):
-    """One line, without comments."""
-    return " ".join(re.sub(r"//[^\n]*", "", text).split())
+                f"{self.site}{nth}  ->  {self.replacement or NOTHING}")
 
 
 def mutants_of(source, file, sites, first):
