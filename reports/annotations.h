@@ -2,8 +2,8 @@
 //
 // Annotations for GitHub Actions: workflow commands that show on the case files of a pull request.
 //
-//   ::error file=cases/a.json,line=1,title=…::what failed, and why
-//   ::warning file=cases/b.json,line=1,title=…::what is contested, and why
+//   ::error file=cases/…,line=1,title=…::what failed, and why
+//   ::warning file=cases/…,line=1,title=…::what is contested, and why
 //
 // There is one error per case file with a failing test (reports/test_outcomes.h), and one warning
 // per file with something contested and tolerated. Only the ten heaviest are written, since GitHub

@@ -19,15 +19,14 @@
 
 namespace edgecase {
 
-// The vertices from which attributes are interpolated: a primitive's own or, if some lie outside
-// the clip volume, three points of the visible part of a triangle
-// (rules/values/clipped_interpolation) or the two ends of the visible part of a line.
-
 // A vertex's position for its primitive's coverage: snapped as the choice says, or exact. Vertices
 // of a clipped primitive are not snapped, since clipping makes new vertices, which are.
 HomogeneousPoint snapped_position(const ScenePrimitive& primitive, std::size_t vertex,
                                   const CoverageChoice& choice, const Target& target);
 
+// The vertices from which attributes are interpolated: a primitive's own or, if some lie outside
+// the clip volume, three points of the visible part of a triangle (ClippedPlane) or the two ends of
+// the visible part of a line.
 class VertexAttributes {
  public:
   // Only vertices take snapped positions; the points of a clipped primitive stay.

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""architecture.py must be able to fail: each fault is planted in a small tree and must be found."""
+"""architecture.py and paths.py must be able to fail: each fault is planted in a small tree and must
+be found."""
 
 import subprocess
 import sys
@@ -10,6 +11,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).parent))
 import architecture  # noqa: E402
+import paths  # noqa: E402
 
 LICENCE = "// SPDX-License-Identifier: MIT\n"
 
@@ -146,6 +148,57 @@ class Architecture(unittest.TestCase):
         self.assertEqual(faulty.returncode, 1)
         self.assertIn("src/exact/a.h:2: exact may not use run", faulty.stdout)
         self.assertEqual(self.run_on({}).returncode, 1)
+
+
+# Paths that lead somewhere, or claim nothing.
+NAMING = {
+    "README.md": "`tests/run/a_test.py`, `run/a`; a place/of/others.h, src/gallium/drivers/b.c\n"
+                 "Save this as `cases/mine.json`:\n```sh\ncat cases/mine.json\n```\n"
+                 "`cases/FOLDER/NAME.json`\n",
+    "src/run/a.cpp": "// run/a.h, src/run/a.cpp:3 and run/inner/b; 5 cases/s\n"
+                     'const char* const kText = "run/gone.h";\n',
+    "src/run/a.h": "// As inner/b.h has it, or https://example.org/src/run/gone.h.\n",
+    "src/run/inner/b.h": "",
+    "tests/run/a_test.py": '# See run/a.cpp.\nTEXT = """\n# src/run/gone.h\n"""\nMORE = "run/gone.h"\n',
+    "tools/CMakeLists.txt": "# tests/run\nadd(src/run/gone.cpp)\n",
+}
+# A file, what it has on its second line, and the path that leads nowhere.
+LOST = [
+    ("README.md", "[this](src/run/gone.h)", "src/run/gone.h"),
+    ("src/run/z.h", "// As far as run/gone.h says.", "run/gone.h"),
+    ("src/run/z.h", "/* tests/run/gone_test.cpp */", "tests/run/gone_test.cpp"),
+    ("src/run/z.cpp", "// (run/inner/gone)", "run/inner/gone"),
+    ("reports/z.js", "f();  // cases/gone.json", "cases/gone.json"),
+    ("tests/z.py", '"""As tests/gone.py."""', "tests/gone.py"),
+    ("tests/z.py", "a = 1  " "# tools/gone.md", "tools/gone.md"),
+    ("src/CMakeLists.txt", "# src/gone.cmake", "src/gone.cmake"),
+]
+
+
+class Paths(unittest.TestCase):
+    def lost(self, files):
+        with tempfile.TemporaryDirectory() as folder:
+            plant(Path(folder), files)
+            found, count = paths.check(Path(folder))
+        self.assertGreater(count, 4)
+        return [(str(file), line, path) for file, line, path in found]
+
+    def test_what_is_there_is_found(self):
+        self.assertEqual(self.lost(NAMING), [])
+
+    def test_each_path_that_leads_nowhere_is_told_where_it_stands(self):
+        for name, text, path in LOST:
+            with self.subTest(name=name, text=text):
+                self.assertEqual(self.lost({**NAMING, name: text + "\n"}), [(name, 2, path)])
+
+    def test_the_program_fails_on_a_lost_path_and_on_nothing_read(self):
+        for files, code in ((NAMING, 0), ({**NAMING, "README.md": "src/run/gone.h"}, 1),
+                            ({"src/run/a.h": ""}, 1)):
+            with tempfile.TemporaryDirectory() as folder:
+                plant(Path(folder), files)
+                done = subprocess.run([sys.executable, "-B", paths.__file__, folder],
+                                      capture_output=True, check=False)
+            self.assertEqual(done.returncode, code, files)
 
 
 if __name__ == "__main__":

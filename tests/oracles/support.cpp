@@ -114,7 +114,7 @@ std::vector<Point> grid(std::int64_t low, std::int64_t high, std::int64_t step) 
 std::vector<LineScene> thin_line_kinds() {
   std::vector<LineScene> kinds;
   for (LineAlgorithm algorithm : values_of<LineAlgorithm>()) {
-    // Decided in single precision: tests/rules/line_tested_ends_test.cpp.
+    // Decided in single precision: tests/rules/coverage/line_tested_ends_test.cpp.
     if (algorithm == LineAlgorithm::parallelogram_ends_tested) continue;
     LineScene kind;
     kind.algorithm = algorithm;

@@ -91,7 +91,7 @@ def drawn(primitive="triangles", vertices=((1, 1), (6.25, 1), (1, 6)), **keys):
     return triangle_case(draws=[{"primitive": primitive, "vertices": vertices, **keys}])
 
 
-# What is written in cases/wrong.json, and all that is said of it behind its name.
+# What is written in the suite's wrong.json, and all that is said of it behind its name.
 CASE_FILES = (
     (drawn(vertices=[[.1, 1], [6, 1], [1, 6]]),
      ":1: /draws/0/vertices/0/0: x: 0.1 is no multiple of 1/65536; write one of its neighbours "

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kScenes = 3000;
 // Of a sample inside and values of at most 1: 32 2^-53 times the spread of the sum, which is 2
-// (tests/rules/interpolation_oracles_test.cpp).
+// (tests/rules/values/interpolation_oracles_test.cpp).
 constexpr double kNarrow = 0x1p-47;
 
 class InterpolationProperties : public ::testing::Test {
