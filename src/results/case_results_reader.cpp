@@ -366,7 +366,7 @@ CaseResults to_case(const ReadJson& json, const HeadsRead& heads,
   read_member(json, "figure", one.figure, to_figure);
   Room room;
   for (const RendererInfo& info : renderers)
-    one.results.push_back(to_result(json.at("results").at(ReadText(info.name)), one, room));
+    one.results.push_back(to_result(json.at("results").at(info.name), one, room));
   return one;
 }
 

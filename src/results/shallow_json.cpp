@@ -22,11 +22,11 @@ void check_shallow(std::string_view text, std::size_t most_values) {
 
 }  // namespace
 
-nlohmann::json parse_shallow(std::string_view text) {
+ReadJson parse_shallow(std::string_view text) {
   // Of a decision on each case of the suite, several times over. Each value may take 100 bytes.
   constexpr std::size_t kMostValues = std::size_t{1} << 20;
   check_shallow(text, kMostValues);
-  return nlohmann::json::parse(text);
+  return ReadJson::parse(text);
 }
 
 ReadJson parse_line(std::string_view text) {
@@ -36,7 +36,7 @@ ReadJson parse_line(std::string_view text) {
 
 std::string_view to_text(const ReadJson& json) {
   if (!json.is_string()) throw std::runtime_error("a text is missing");
-  return json.get_ref<const ReadText&>();
+  return json.get_ref<const std::string&>();
 }
 
 void refuse_name(const std::string& name) {
@@ -69,7 +69,7 @@ std::optional<std::int64_t> WholeNumber::negative() const {
 }
 
 void WholeNumber::refuse() const {
-  const std::string text(json_.is_structured() ? ReadText(json_.type_name()) : json_.dump());
+  const std::string text = json_.is_structured() ? json_.type_name() : json_.dump();
   constexpr std::size_t kMost = 60;  // characters that are quoted
   throw std::runtime_error(fmt::format("{} is no whole number in range", text.substr(0, kMost)));
 }

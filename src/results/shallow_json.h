@@ -7,35 +7,23 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <map>
-#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "model/names.h"
 #include "wire/json_size.h"
 
 namespace edgecase {
 
-// A JSON type of this folder only, which is read several times as fast: its functions, and those of
-// its texts, are compiled here with optimization. The usual types are also compiled in the
-// command's own sources, which are not optimized, and the linker may take those instances.
-template <class Value>
-struct ReadAllocator : std::allocator<Value> {
-  ReadAllocator() = default;
-  template <class Other>
-  ReadAllocator(const ReadAllocator<Other>&) {}  // NOLINT: as allocators are
-};
-using ReadText = std::basic_string<char, std::char_traits<char>, ReadAllocator<char>>;
-using ReadJson = nlohmann::basic_json<std::map, std::vector, ReadText>;
+// Of objects that are read, members in any order; what is written keeps its own (ordered_json).
+using ReadJson = nlohmann::json;
 
 // Both throw std::runtime_error for text that is nested deeper than kMostLevels, and what the
 // library throws for text that is no JSON; of a whole document also for more than 2^20 values.
-nlohmann::json parse_shallow(std::string_view text);
+ReadJson parse_shallow(std::string_view text);
 ReadJson parse_line(std::string_view text);
 
 // A string's text. Throws std::runtime_error for any other value.
