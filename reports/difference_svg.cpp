@@ -11,6 +11,7 @@
 #include "reports/nodes.h"
 #include "reports/picture_crop.h"
 #include "reports/text.h"
+#include "reports/verdict_looks.h"
 
 namespace edgecase {
 namespace {
@@ -44,10 +45,13 @@ constexpr const char* kStyle =
     ".sign{fill:none;stroke:#fff;stroke-width:1.8}"
     ".digit{font-weight:bold;font-size:11px;fill:#fff;text-anchor:middle}";
 
-// Added if something is contested.
-constexpr const char* kContestedStyle =
-    ".contested{fill:none;stroke:#7a2fa0;stroke-width:2.4;stroke-dasharray:1.5 2}"
-    ".badge.contested-badge{fill:#7a2fa0}";
+// Added if something is contested, in the colour of that verdict on light pages.
+std::string contested_style() {
+  return fmt::format(
+      ".contested{{fill:none;stroke:{0};stroke-width:2.4;stroke-dasharray:1.5 2}}"
+      ".badge.contested-badge{{fill:{0}}}",
+      look_of(Verdict::contested).ink.light);
+}
 
 struct Panel {
   pugi::xml_node node;
@@ -264,7 +268,7 @@ pugi::xml_node add_paper(pugi::xml_document& document, const DifferencePicture& 
   const bool is_contested =
       std::ranges::find(picture.disagreements, Legality::contested, &Disagreement::legality) !=
       picture.disagreements.end();
-  const std::string style = std::string(kStyle) + (is_contested ? kContestedStyle : "");
+  const std::string style = kStyle + (is_contested ? contested_style() : "");
   svg.append_child("style").text().set(style.c_str());
   add_rectangle(svg, "paper", 0, 0, width, height);
   return svg;

@@ -27,9 +27,7 @@ class Painter {
 };
 
 inline fmt::text_style style_of(Verdict verdict) {
-  for (const VerdictLook& look : kVerdictLooks)
-    if (look.verdict == verdict) return look.terminal;
-  return {};
+  return look_of(verdict).terminal;
 }
 
 }  // namespace edgecase

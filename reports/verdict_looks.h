@@ -8,6 +8,7 @@
 #include <fmt/color.h>
 
 #include <array>
+#include <cstddef>
 
 #include "model/verdict.h"
 
@@ -85,5 +86,11 @@ inline constexpr auto kVerdictLooks = std::to_array<VerdictLook>({
 });
 
 static_assert(kVerdictLooks.size() == kValues<Verdict>.size());
+
+constexpr const VerdictLook& look_of(Verdict verdict) {
+  std::size_t at = 0;
+  while (kVerdictLooks[at].verdict != verdict) ++at;
+  return kVerdictLooks[at];
+}
 
 }  // namespace edgecase
