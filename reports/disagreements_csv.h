@@ -8,7 +8,7 @@
 //   case         id
 //   renderer     as the command line names it
 //   verdict      of the renderer's answer to the case as a whole
-//   standing     of the same: expected, unexpected, changed, …
+//   standing     of the same: expected, known, unexpected, tolerated or flake
 //   x, y         pixel column and row, y up
 //   sample       index of a sample or pass; -1: the pixel, or the image, as a whole
 //   primitive    index in drawing order; -1: the pixel as a whole

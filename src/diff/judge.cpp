@@ -19,6 +19,7 @@
 #include "diff/coverage/legality.h"
 #include "diff/upside_down.h"
 #include "diff/verdicts.h"
+#include "model/fnv.h"
 #include "rules/all_rules.h"
 #include "rules/choices.h"
 #include "rules/coverage/window.h"
@@ -218,23 +219,12 @@ Verdict verdict_of(const Result& result, Latitude latitude) {
   return worst;
 }
 
-// FNV-1a, 64 bits.
-class Hash {
- public:
-  void add(std::string_view text) {
-    for (const char c : text) add_byte(static_cast<unsigned char>(c));
-  }
-  void add(int number) {
-    for (int shift = 0; shift < 32; shift += 8)
-      add_byte(static_cast<unsigned char>(static_cast<unsigned>(number) >> shift));
-  }
-  std::string text() const { return fmt::format("{:016x}", hash_); }
-
- private:
-  void add_byte(unsigned char byte) { hash_ = (hash_ ^ byte) * 0x100000001b3u; }
-
-  std::uint64_t hash_ = 0xcbf29ce484222325u;
-};
+// The hash with the four bytes of a number more, the lowest first.
+std::uint64_t with_number(std::uint64_t hash, int number) {
+  for (int shift = 0; shift < 32; shift += 8)
+    hash = fnv_step(hash, (static_cast<unsigned>(number) >> shift) & 0xff);
+  return hash;
+}
 
 RuleId rule_of_case(const DisagreementClass& d) {
   return d.upright ? d.upright->rule : d.rule;
@@ -256,15 +246,16 @@ std::string fingerprint_of(const Result& result) {
       lines.insert(fmt::format("{} {} {}\n", name_of(values.rule), values.attribute,
                                values.cause.empty() ? "permitted" : text_of(values.cause)));
   if (lines.empty()) return "";
-  Hash hash;
-  for (const std::string& line : lines) hash.add(line);
+  std::uint64_t hash = kFnvStart;
+  for (const std::string& line : lines) hash = fnv_of(line, hash);
   for (const CountedDisagreements& counted : result.counted) {
-    hash.add(fmt::format("{} {} {}\n", name_of(rule_of_case(counted)), name_of(counted.kind),
-                         counted.sample));
+    hash = fnv_of(fmt::format("{} {} {}\n", name_of(rule_of_case(counted)), name_of(counted.kind),
+                              counted.sample),
+                  hash);
     for (const PixelRun& run : counted.runs)
-      for (const int number : {run.y, run.begin, run.end}) hash.add(number);
+      for (const int number : {run.y, run.begin, run.end}) hash = with_number(hash, number);
   }
-  return hash.text();
+  return fmt::format("{:016x}", hash);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "model/fnv.h"
+
 namespace edgecase {
 
 // Numbers with their nouns, as text for people.
@@ -24,15 +26,13 @@ inline std::string counted(std::size_t count, const char* one, const char* sever
   return grouped(count) + " " + (count == 1 ? one : several);
 }
 
-// A digest by which texts can be compared without keeping them: FNV-1a of 64 bits. It guards
-// against mistakes, not against attacks.
-
+// A hash of texts (model/fnv.h). The boundaries between them matter.
 class Digest {
  public:
-  // Adds a text. The boundary between texts matters.
   Digest& add(std::string_view text) {
-    for (const char c : text) step(static_cast<unsigned char>(c));
-    for (std::size_t size = text.size(), i = 0; i < sizeof size; ++i, size >>= 8) step(size & 0xff);
+    hash_ = fnv_of(text, hash_);
+    for (std::size_t size = text.size(), i = 0; i < sizeof size; ++i, size >>= 8)
+      hash_ = fnv_step(hash_, size & 0xff);
     return *this;
   }
 
@@ -45,9 +45,7 @@ class Digest {
   }
 
  private:
-  void step(std::uint64_t byte) { hash_ = (hash_ ^ byte) * 0x100000001b3u; }
-
-  std::uint64_t hash_ = 0xcbf29ce484222325u;
+  std::uint64_t hash_ = kFnvStart;
 };
 
 inline std::string digest_of_text(std::string_view text) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diff/invariance.h"
+#include "model/fnv.h"
 
 namespace edgecase {
 namespace {
@@ -30,10 +31,6 @@ struct Request {
 
 bool is_not_asked(const Failure& failure) {
   return failure.kind == FailureKind::unsupported || failure.kind == FailureKind::unavailable;
-}
-
-std::uint64_t mixed(std::uint64_t digest, std::uint64_t more) {
-  return (digest ^ more) * 0x100000001b3u;
 }
 
 }  // namespace
@@ -78,11 +75,11 @@ void InvariantRenderer::render(std::span<const Task> tasks, const OutcomeSink& s
     const auto& [question, image, is_second] = requests[index];
     if (image == nullptr) {
       left = question->asked;
-      digest = 0xcbf29ce484222325u;
+      digest = kFnvStart;
       has_digest = true;
     }
     const std::uint64_t of_own = inner_->outcome_digest();
-    digest = mixed(digest, of_own);
+    digest = fnv_step(digest, of_own);
     has_digest = has_digest && of_own != 0;
     if (image == nullptr) {
       outcome = std::move(own);

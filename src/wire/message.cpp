@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/fnv.h"
 #include "wire/binary.h"
 #include "wire/fragments.h"
 
@@ -24,10 +25,10 @@ namespace {
 enum class AnswerKind : std::uint8_t { rendering, coverage, refusal };
 
 // FNV-1a over words of eight bytes. `before` is the digest of what comes before them.
-std::uint64_t digest_of_bytes(std::string_view bytes, std::uint64_t before = 0xcbf29ce484222325u) {
+std::uint64_t digest_of_bytes(std::string_view bytes, std::uint64_t before = kFnvStart) {
   std::uint64_t hash = before;
   const auto add = [&](std::uint64_t word) {
-    hash = (hash ^ word) * 0x100000001b3u;
+    hash = fnv_step(hash, word);
     hash ^= hash >> 29;
   };
   std::uint64_t word = 0;

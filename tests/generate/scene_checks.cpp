@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "casefile/scene/viewport.h"
+#include "model/fnv.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/tie_rule.h"
 
@@ -81,9 +82,9 @@ bool has_tie(const Scene& scene, const SamplePositions& samples) {
 }
 
 std::uint64_t fingerprint_of(const Scene& scene) {
-  std::uint64_t hash = 14695981039346656037u;
+  std::uint64_t hash = kFnvStart;
   const auto add = [&](std::int64_t value) {
-    hash = (hash ^ static_cast<std::uint64_t>(value)) * 1099511628211u;
+    hash = fnv_step(hash, static_cast<std::uint64_t>(value));
   };
   add(scene.target.width);
   add(static_cast<int>(scene.target.surface));
