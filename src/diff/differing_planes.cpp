@@ -39,7 +39,7 @@ void compare(const Plane& plane, const std::vector<Number>& exact,
   if (exact.size() != stored.size() || exact == stored ||
       std::ranges::equal(exact, stored, is_same))
     return;
-  ValueAggregator aggregator(plane.attribute, plane.rule, rule_of(plane.rule).ruling);
+  ValueAggregator aggregator(plane.attribute, plane.rule);
   const std::size_t area = size.pixel_index(0, size.height);
   const auto width = static_cast<std::size_t>(size.width);
   aggregator.count_compared(plane.components, exact.size() / plane.components);

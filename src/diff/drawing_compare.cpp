@@ -30,6 +30,7 @@
 #include "rules/choices.h"
 #include "rules/coverage/window.h"
 #include "rules/rule.h"
+#include "rules/samples/sample_placement.h"
 
 namespace edgecase {
 namespace {
@@ -83,8 +84,6 @@ void mark_sample(Disagreement& d, const SamplePositions& positions) {
     if (mark.role == MarkRole::sample)
       mark.points = {position_of(place_in({d.x, d.y}, positions[sample]))};
 }
-
-constexpr int kRulingOnSharedPlaces = 62;
 
 // Reports the first two samples that the renderer has at one place, unless the case places them.
 void compare_places(const Target& target, const SamplePositions& reported, Result& result) {

@@ -171,7 +171,7 @@ void judge_primitive(const Result::Evidence& evidence, const std::string& readin
     d.legality = by_letter(!contains(evidence.illegal_line_snaps, reading));
     // An illegal gap keeps the verdict of compare(); with other results it may have been legal.
     if (cause == Cause(kInteriorGap))
-      d.ruling = is_legal(d) ? 3 : d.rule == RuleId::line_joint ? 14 : 1;
+      d.ruling = rule_of(is_legal(d) ? RuleId::line_interior_gap : d.rule).ruling;
   });
 }
 

@@ -11,11 +11,9 @@
 
 #include "exact/fixed.h"
 #include "model/scene.h"
+#include "rules/coverage/window.h"
 
 namespace edgecase {
-
-constexpr int kRulingOnImages = 67;
-constexpr int kRulingOnSuggestedImages = 70;
 
 struct SceneImage {
   std::string text;  // what it is: "is moved by 47 pixels to the right and 45 up"

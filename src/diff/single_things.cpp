@@ -7,15 +7,14 @@
 
 #include "diff/values/value_diff.h"
 #include "rules/all_rules.h"
+#include "rules/output/polygon_offset.h"
+#include "rules/samples/sample_mask.h"
+#include "rules/samples/sample_placement.h"
 
 namespace edgecase {
 namespace {
 
 using Kind = SingleThing::Kind;
-
-constexpr int kRulingOnUnits = 64;
-constexpr int kRulingOnPlaces = 65;
-constexpr int kRulingOnAlpha = 69;
 
 std::string text_of(const SingleThing& thing) {
   switch (thing.kind) {
@@ -36,11 +35,11 @@ std::string text_of(const SingleThing& thing) {
 Disagreement refutation_of(const SingleThing& thing) {
   switch (thing.kind) {
     case Kind::offset_unit:
-      return value_disagreement({0, 0}, -1, RuleId::offset_unit, kRulingOnUnits);
+      return value_disagreement({0, 0}, -1, RuleId::offset_unit, kRulingOnOneUnit);
     case Kind::alpha: {
       Disagreement d = value_disagreement({thing.x, thing.y}, -1, RuleId::sample_alpha_to_coverage,
-                                          kRulingOnAlpha);
-      d.legality = legality_against(kRulingOnAlpha);
+                                          kRulingOnFallingNumbers);
+      d.legality = legality_against(kRulingOnFallingNumbers);
       return d;
     }
     case Kind::sample_x:
@@ -48,7 +47,7 @@ Disagreement refutation_of(const SingleThing& thing) {
     case Kind::sample_cells:
       break;
   }
-  Disagreement d = value_disagreement({0, 0}, -1, RuleId::sample_positions, kRulingOnPlaces);
+  Disagreement d = value_disagreement({0, 0}, -1, RuleId::sample_positions, kRulingOnOnePlace);
   d.sample = thing.sample;
   return d;
 }
@@ -151,7 +150,8 @@ bool is_of_a_thing(const std::string& trait) {
 
 void report_refuted_things(const Meetings& meetings, Result& result) {
   std::erase_if(result.disagreements, [](const Disagreement& d) {
-    return d.ruling == kRulingOnUnits || d.ruling == kRulingOnPlaces || d.ruling == kRulingOnAlpha;
+    return d.ruling == kRulingOnOneUnit || d.ruling == kRulingOnOnePlace ||
+           d.ruling == kRulingOnFallingNumbers;
   });
   std::vector<Disagreement> refuted;
   for (const Result::Shown& shown : result.shown)

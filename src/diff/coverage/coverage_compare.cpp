@@ -23,6 +23,7 @@
 #include "raster/rasterizer.h"
 #include "raster/samples.h"
 #include "rules/all_rules.h"
+#include "rules/coverage/clip_volume.h"
 
 namespace edgecase {
 namespace {
@@ -331,7 +332,8 @@ class CoverageComparison {
     for (const JointFault& fault : joint_faults(context_.primitives, context_.coverage, scene())) {
       merge_snaps(fault.illegal_snaps, result_.illegal_line_snaps);
       for (int index : {fault.first, fault.second})
-        break_line(primitive_at(index), fault.illegal_snaps, fault.clause, RuleId::line_joint, 14);
+        break_line(primitive_at(index), fault.illegal_snaps, fault.clause, RuleId::line_joint,
+                   rule_of(RuleId::line_joint).ruling);
     }
   }
 

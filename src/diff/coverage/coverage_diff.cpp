@@ -86,7 +86,7 @@ DisagreementClass class_of_duplicate(const ScenePrimitive& primitive,
   of.primitive = primitive.index;
   of.kind = DisagreementKind::duplicate;
   of.rule = RuleId::fragment_once;
-  of.ruling = 7;
+  of.ruling = rule_of(of.rule).ruling;
   return of;
 }
 

@@ -11,7 +11,10 @@
 #include "model/side_clipping.h"
 #include "raster/coverage_stages.h"
 #include "raster/rasterizer.h"
+#include "rules/all_rules.h"
 #include "rules/choices.h"
+#include "rules/coverage/clip_volume.h"
+#include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/line_latitude.h"
 #include "rules/coverage/window.h"
@@ -122,6 +125,10 @@ bool is_near_empty_line(const SeenLine& line, std::span<const PixelPosition> dra
 
 }  // namespace
 
+CoverageLegality legality_under(RuleId rule, bool legal, std::string reason) {
+  return {legal, rule_of(rule).ruling, rule, std::move(reason)};
+}
+
 int contested_ruling_on_line(const ScenePrimitive& line, std::span<const PixelPosition> drawn,
                              const Scene& scene) {
   const LineTerms terms = terms_of(line, scene);
@@ -161,8 +168,8 @@ std::string broken_clause_unsnapped(const ScenePrimitive& line,
 
 int ruling_on_line(const ScenePrimitive& line, const Scene& scene) {
   const SeenLine seen = seen_line(line, Snap{}, terms_of(line, scene));
-  if (seen.width != 1) return 12;
-  return is_unseen(seen) ? 2 : 1;
+  if (seen.width != 1) return rule_of(RuleId::line_width).ruling;
+  return is_unseen(seen) ? kRulingOnUnseenLine : rule_of(RuleId::line_diamond_exit).ruling;
 }
 
 bool is_about_a_line(const DisagreementClass& disagreement) {

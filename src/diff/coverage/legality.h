@@ -33,15 +33,9 @@ struct CoverageLegality {
   RuleId rule;         // the rule that is broken or under which the difference is allowed
   std::string reason;  // the reason, one clause
 };
+// By the rule and its own ruling.
+CoverageLegality legality_under(RuleId rule, bool legal, std::string reason = "");
 
-// The ruling on fragments of points and lines that are left out beyond the viewport's sides.
-inline constexpr int kRulingOnViewport = 54;
-// The ruling on points and lines of OpenGL ES that lack fragments beside the viewport's sides.
-inline constexpr int kRulingOnSides = 68;
-// The ruling on wide lines drawn as wide as the next smaller integer.
-inline constexpr int kRulingOnSmallerWidth = 56;
-// The ruling on a single fragment of a line for which the diamond-exit rule has none.
-inline constexpr int kRulingOnEmptyLine = 58;
 // For lines that break a ruling: the only ruling they break, if it is contested, which means that
 // they satisfy all others under more of the catalogued snaps; else 0.
 int contested_ruling_on_line(const ScenePrimitive& line, std::span<const PixelPosition> drawn,

@@ -12,6 +12,7 @@
 #include "rules/coverage/point_ownership.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
+#include "rules/samples/sample_placement.h"
 
 namespace edgecase {
 namespace {
@@ -40,11 +41,11 @@ std::optional<CoverageLegality> judge_mask(const ScenePrimitive& primitive,
   const Multisampling& use = primitive.state->multisampling;
   if (difference.drawn == 0) return std::nullopt;
   if (!use.enabled && difference.sample > 0)
-    return CoverageLegality{false, 35, RuleId::sample_enable,
-                            "without GL_MULTISAMPLE a fragment has no sample but the first"};
+    return legality_under(RuleId::sample_enable, false,
+                          "without GL_MULTISAMPLE a fragment has no sample but the first");
   if (use.enabled && (use.mask >> difference.sample & 1) == 0)
-    return CoverageLegality{false, 32, RuleId::sample_mask,
-                            "the sample is not in the draw's sample mask"};
+    return legality_under(RuleId::sample_mask, false,
+                          "the sample is not in the draw's sample mask");
   return std::nullopt;
 }
 
@@ -140,40 +141,40 @@ bool SampleJudge::is_possible(Point sample, bool extra, Fixed more) const {
 // An implementation may draw a point outside the sides of the view volume, or not; exact does not
 // (ruling 42).
 CoverageLegality SampleJudge::judge_clipped_point(bool extra, Point sample) const {
-  constexpr int kRuling = 42;
   const auto passed = passed_point(primitive_);
   if (!passed || !extra)
-    return {!extra, kRuling, kClipVolume,
-            passed ? "the point lies outside the view volume, and may be discarded"
-                   : "the point does not lie between near and far"};
+    return legality_under(kClipVolume, !extra,
+                          passed ? "the point lies outside the view volume, and may be discarded"
+                                 : "the point does not lie between near and far");
   const Vertex& vertex = *primitive_.vertices[0];
   const Fixed error = edgecase::division_error(vertex, passed->vertex, primitive_.viewport);
   if (point_possibly_covered(*passed, sample, grid_step(terms_.bits) + error))
-    return {true, kRuling, kClipVolume,
-            "the point lies between near and far, and so need not be discarded"};
-  return {false, 6, coverage_rule_of(primitive_.kind), reason([&] {
-            return fmt::format(
-                "no move of the vertex by {} could put the sample inside or on the boundary",
-                move_of(error, terms_.bits));
-          })};
+    return legality_under(kClipVolume, true,
+                          "the point lies between near and far, and so need not be discarded");
+  return legality_under(
+      RuleId::point_ownership, false, reason([&] {
+        return fmt::format(
+            "no move of the vertex by {} could put the sample inside or on the boundary",
+            move_of(error, terms_.bits));
+      }));
 }
 
 // Judges a primitive that reaches out of the clip volume: ruling 42.
 CoverageLegality SampleJudge::judge_clipped(bool extra, Point sample) const {
-  constexpr int kRuling = 42;
   if (primitive_.kind == PrimitiveKind::point) return judge_clipped_point(extra, sample);
   if (primitive_.kind == PrimitiveKind::line)
-    return {!extra, kRuling, kClipVolume, "nothing of the line lies in the clip volume"};
+    return legality_under(kClipVolume, !extra, "nothing of the line lies in the clip volume");
   const bool legal = extra ? polygon_possibly_covered(*polygon_, sample)
                            : polygon_possibly_uncovered(*polygon_, sample);
-  return {legal, kRuling, kClipVolume, reason([&] {
-            return fmt::format(
-                "{} move of the vertices of what is seen, by less than 1/{} pixel and {:.2g} "
-                "by clipping and the division by w, {} the sample {}",
-                legal ? "some" : "no", 1 << terms_.bits, error_.to_double(),
-                legal ? "puts" : "could put",
-                extra ? "inside or on the boundary" : "outside or on the boundary");
-          })};
+  return legality_under(
+      kClipVolume, legal, reason([&] {
+        return fmt::format(
+            "{} move of the vertices of what is seen, by less than 1/{} pixel and {:.2g} "
+            "by clipping and the division by w, {} the sample {}",
+            legal ? "some" : "no", 1 << terms_.bits, error_.to_double(),
+            legal ? "puts" : "could put",
+            extra ? "inside or on the boundary" : "outside or on the boundary");
+      }));
 }
 
 bool SampleJudge::is_clipped_as_in_opengl(Point sample) const {
@@ -191,10 +192,8 @@ CoverageLegality SampleJudge::judge(const CoverageDifference& difference, Point 
   const bool extra = is_extra(difference);
   const Point sample = place_in(difference.pixel, within);
   if (primitive_.is_clipped) return judge_clipped(extra, sample);
-  CoverageLegality result;
-  result.rule = line ? kMultisampledLine : coverage_rule_of(primitive_.kind);
-  result.ruling = point ? 6 : line ? 28 : 4;
-  result.legal = is_possible(sample, extra);
+  CoverageLegality result = legality_under(
+      line ? kMultisampledLine : coverage_rule_of(primitive_.kind), is_possible(sample, extra));
   result.reason = reason([&] {
     const bool is_sized = primitive_.kind != PrimitiveKind::triangle;
     return fmt::format(
@@ -213,7 +212,7 @@ CoverageLegality SampleJudge::judge(const CoverageDifference& difference, Point 
 
 std::optional<CoverageLegality> SampleJudge::judge_shape(
     const CoverageDifference& difference) const {
-  CoverageLegality broken{false, 4, coverage_rule_of(primitive_.kind), ""};
+  CoverageLegality broken = legality_under(RuleId::triangle_fill_rule, false);
   const ShapeFault& shape = terms_.shape;
   if (is_extra(difference)) {
     if (is_without_area(primitive_)) {
@@ -245,7 +244,6 @@ std::optional<CoverageLegality> SampleJudge::judge_shape(
 CoverageLegality SampleJudge::judge_facing(const CoverageDifference& difference,
                                            CoverageLegality otherwise) const {
   constexpr RuleId kRule = RuleId::polygon_facing;
-  constexpr int kRuling = 40;
   if (primitive_.kind != PrimitiveKind::triangle || primitive_.state->cull == CullMode::none)
     return otherwise;
   const auto [may_be_culled, may_be_drawn] = culling_;
@@ -256,13 +254,13 @@ CoverageLegality SampleJudge::judge_facing(const CoverageDifference& difference,
                        turns ? "some" : "no", move_of(error_, terms_.bits, latitudes_.reach),
                        extra ? "not " : "");
   });
-  if (extra && !turns) return {false, kRuling, kRule, facing};
+  if (extra && !turns) return legality_under(kRule, false, facing);
   if (extra && is_culled(primitive_, primitive_.positions, FacingMethod::as_set))
-    return {otherwise.legal, kRuling, kRule,
-            otherwise.legal ? facing : facing + ", but " + otherwise.reason};
+    return legality_under(kRule, otherwise.legal,
+                          otherwise.legal ? facing : facing + ", but " + otherwise.reason);
   // All fragments of a triangle face the same way.
   if (extra || !terms_.is_missing || otherwise.legal) return otherwise;
-  return {turns, kRuling, kRule, "nothing of the triangle is drawn, and " + facing};
+  return legality_under(kRule, turns, "nothing of the triangle is drawn, and " + facing);
 }
 
 // A sample at most half a pixel from a centre is like a centre with the vertices moved by as much;

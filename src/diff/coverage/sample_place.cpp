@@ -11,6 +11,7 @@
 #include "diff/coverage/size_latitude.h"
 #include "diff/findings/patience.h"
 #include "raster/samples.h"
+#include "rules/samples/sample_placement.h"
 
 namespace edgecase {
 namespace {

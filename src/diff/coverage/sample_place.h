@@ -16,9 +16,6 @@
 
 namespace edgecase {
 
-// The ruling on coverage at other positions than reported.
-inline constexpr int kRulingOnOtherPlaces = 47;
-
 // In pixels, from the lower left corner of the sample's pixel.
 struct PlaceBox {
   Interval x;

@@ -7,6 +7,8 @@
 
 #include "diff/coverage/sample_legality.h"
 #include "diff/findings/add_disagreement.h"
+#include "rules/all_rules.h"
+#include "rules/samples/sample_placement.h"
 
 namespace edgecase {
 namespace {
@@ -35,7 +37,7 @@ bool contains(const std::vector<PixelRun>& runs, PixelPosition pixel) {
 }  // namespace
 
 int ruling_on(const SharedEdgeFault& fault) {
-  return fault.is_certain ? 5 : kRulingOnOtherPlaces;
+  return fault.is_certain ? rule_of(RuleId::triangle_shared_edge).ruling : kRulingOnOtherPlaces;
 }
 
 SharedEdgeBlame::SharedEdgeBlame(Result& result) : result_(result) {

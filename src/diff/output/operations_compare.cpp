@@ -12,6 +12,7 @@
 #include "diff/output/operations_question.h"
 #include "diff/output/test_of_one_sample.h"
 #include "rules/all_rules.h"
+#include "rules/output/fragment_tests.h"
 #include "rules/values/framebuffer.h"
 
 namespace edgecase {
@@ -47,8 +48,6 @@ void for_each_sample(const ValueContext& context, const Arrivals& arrivals,
     }
   }
 }
-
-constexpr int kRulingOnUnconverted = 55;
 
 class OperationsComparison {
  public:
@@ -163,7 +162,7 @@ class OperationsComparison {
       Disagreement d = disagreement(
           question, alternative_id(RuleId::depth_test, name_of(DepthTestMethod::unconverted)),
           chosen_);
-      d.ruling = kRulingOnUnconverted;
+      d.ruling = kRulingOnUnconvertedDepth;
       add_disagreement(result, std::move(d));
     }
   }
@@ -212,7 +211,7 @@ class OperationsComparison {
     // Consequences of an ignored switch are reported with it, under the rule that they break.
     const RuleId rule =
         named == RuleId::none || named == RuleId::sample_enable ? broken_rule(question) : named;
-    Disagreement d = value_disagreement(question.pixel, -1, rule, rule_of(rule).ruling);
+    Disagreement d = value_disagreement(question.pixel, -1, rule);
     d.sample = question.sample;
     d.cause = cause;
     d.explanation = explain_operations(question, choice);

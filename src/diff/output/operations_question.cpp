@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "rules/output/blending.h"
 #include "rules/values/framebuffer.h"
 
 namespace edgecase {
@@ -150,8 +151,6 @@ RuleId broken_rule(const OperationsQuestion& question) {
 }
 
 namespace {
-
-constexpr int kRulingOnBlendedCodes = 61;
 
 // Components that some blended fragment may have written.
 std::array<bool, 4> blended_components(std::span<const Arrival> arrivals) {

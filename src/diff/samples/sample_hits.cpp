@@ -25,7 +25,6 @@ namespace {
 
 constexpr RuleId kAlphaRule = RuleId::sample_alpha_to_coverage;
 constexpr int kAlphaRuling = 33;
-constexpr int kProportionRuling = 52;
 
 class HitComparison {
  public:
@@ -107,7 +106,7 @@ class HitComparison {
     for (const WholePixel& one : whole) pixels.push_back({one.alpha, one.kept});
     const AlphaTrend trend = trend_of(pixels, rendered_.samples);
     if (trend == AlphaTrend::proportional) return;
-    const int ruling = trend == AlphaTrend::falling ? kAlphaRuling : kProportionRuling;
+    const int ruling = trend == AlphaTrend::falling ? kAlphaRuling : kRulingOnProportion;
     for (const WholePixel& one : whole)
       if (is_off(one)) report_proportion(one, ruling, result);
   }
@@ -241,7 +240,8 @@ class HitComparison {
     const bool switched_off = std::ranges::any_of(fragments, [&](const Fragment& f) {
       return !context_.primitive_of(f).state->multisampling.enabled;
     });
-    return switched_off ? std::pair(RuleId::sample_enable, 35) : std::pair(RuleId::sample_mask, 32);
+    const RuleId rule = switched_off ? RuleId::sample_enable : RuleId::sample_mask;
+    return {rule, rule_of(rule).ruling};
   }
 
   void report(PixelPosition pixel, std::span<const Fragment> fragments, int sample,

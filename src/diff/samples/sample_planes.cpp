@@ -15,6 +15,7 @@
 #include "diff/samples/sample_values.h"
 #include "diff/values/pixel_values.h"
 #include "raster/samples.h"
+#include "rules/samples/attribute_location.h"
 #include "rules/values/framebuffer.h"
 
 namespace edgecase {
@@ -133,7 +134,6 @@ namespace {
 
 constexpr RuleId kRule = RuleId::sample_shading_rate;
 constexpr int kRuling = 34;
-constexpr int kRulingOnPartlyCovered = 60;
 
 // The fragments of one primitive in one pixel.
 struct Invocations {

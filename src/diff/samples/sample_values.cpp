@@ -64,7 +64,6 @@ class ResolveComparison {
  private:
   static constexpr RuleId kRule = RuleId::sample_resolve;
   static constexpr int kRuling = 31;
-  static constexpr int kRulingBeyond = 51;
 
   // Stops when `visit` returns false; returns true if it never did.
   template <class Visit>
@@ -167,7 +166,7 @@ class ResolveComparison {
   void report(PixelPosition pixel, Result& result) {
     const bool alpha = is_due_to_alpha(pixel);
     Disagreement d = value_disagreement(pixel, -1, alpha ? kAlphaRule : kRule,
-                                        alpha ? kAlphaRuling : kRulingBeyond);
+                                        alpha ? kAlphaRuling : kRulingBeyondSamples);
     std::string ranges;
     for (std::size_t c = 0; c < 4; ++c) {
       const ResolvedRange range = permitted(samples_, pixel, c);

@@ -17,12 +17,12 @@
 #include "diff/textures/texture_lookups.h"
 #include "exact/interval.h"
 #include "rules/all_rules.h"
+#include "rules/textures/mip_chain.h"
 
 namespace edgecase {
 namespace {
 
 constexpr int kRuling = 25;
-constexpr int kRulingOnHull = 48;
 
 using Chain = std::vector<TextureLevel>;
 
@@ -271,7 +271,7 @@ int ruling_on(const TextureLevel& level, int i, int j, std::size_t component,
   };
   if (is_within(number, range_in(tested_span), format)) return 0;
   const Interval widest = with_negative_weights(range_in(widest_span));
-  return is_within(number, widest, format) ? kRulingOnHull : kRuling;
+  return is_within(number, widest, format) ? kRulingOnMipHull : kRuling;
 }
 
 // The worst texel of a level: the first that breaks ruling 25, else the first that breaks 48.

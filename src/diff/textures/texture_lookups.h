@@ -82,10 +82,6 @@ bool hold(const Boxes& boxes, const LookupNumbers& numbers);
 // Describes the smallest box around all others: "1 to 2, 0.5 to 0.75".
 std::string describe_range(const Boxes& boxes);
 
-// The rulings that contest what coarse samplers look up (Reach::coarse, Reach::coarse_srgb).
-inline constexpr int kRulingOnPrecision = 50;
-inline constexpr int kRulingOnSrgb = 53;
-
 class TextureLookups {
  public:
   // Everything referred to must outlive this.

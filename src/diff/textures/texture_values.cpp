@@ -18,6 +18,9 @@
 #include "diff/findings/patience.h"
 #include "diff/textures/texture_ways.h"
 #include "rules/all_rules.h"
+#include "rules/textures/level_of_detail.h"
+#include "rules/textures/level_selection.h"
+#include "rules/textures/texel_filter.h"
 
 namespace edgecase {
 namespace {
@@ -26,14 +29,13 @@ namespace {
 struct Subject {
   const char* attribute;
   RuleId rule;
-  int ruling;
   const char* text;  // for explanations: "the level of detail of …"
   bool is_query;     // textureQueryLod asks for the level
 };
 
-constexpr Subject kLevels{"level of detail", RuleId::texture_scale_factor, 19,
+constexpr Subject kLevels{"level of detail", RuleId::texture_scale_factor,
                           "level accessed and lambda'", true};
-constexpr Subject kColors{"texture color", RuleId::texture_filter, 24, "looked-up colour", false};
+constexpr Subject kColors{"texture color", RuleId::texture_filter, "looked-up colour", false};
 
 // A lookup that a renderer reported.
 struct ReportedLookup {
@@ -53,7 +55,6 @@ double error_of(double exact, double rendered) {
 }
 
 constexpr int kRulingOnAnisotropy = 23;
-constexpr int kRulingOnAnisotropicHull = 57;
 
 using WaysOfLevels = std::map<const Fragment*, TextureWay>;
 
@@ -66,7 +67,7 @@ class LookupComparison {
         profile_(profile),
         chosen_(context.choices.textures),
         is_judged_(context.latitude != Latitude::none && !illegal_part(chosen_).empty()),
-        aggregator_(subject.attribute, subject.rule, subject.ruling) {}
+        aggregator_(subject.attribute, subject.rule) {}
 
   // Returns true if the policy's own way yields what the renderer reports.
   bool add(const Fragment& fragment, std::span<const double> exact, Result& result) {
@@ -163,7 +164,7 @@ class LookupComparison {
     if (hold(at_most(lookup, Reach::coarse), lookup.rendered)) return kRulingOnPrecision;
     if (!subject_.is_query && hold(at_most(lookup, Reach::coarse_srgb), lookup.rendered))
       return kRulingOnSrgb;
-    return subject_.ruling;
+    return rule_of(subject_.rule).ruling;
   }
 
   LookupKinship kinship_of(const ReportedLookup& lookup, bool as_reported) const {
@@ -175,7 +176,8 @@ class LookupComparison {
   // The aggregate of an open way; if the way is a single alternative, under that one's rule.
   ValueAggregator& aggregator_of(const Cause& cause) {
     return by_cause_
-        .try_emplace(cause, subject_.attribute, rule_about(cause), subject_.ruling, cause)
+        .try_emplace(cause, subject_.attribute, rule_about(cause), rule_of(subject_.rule).ruling,
+                     cause)
         .first->second;
   }
 

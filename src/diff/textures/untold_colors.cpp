@@ -5,6 +5,9 @@
 #include <array>
 #include <cstddef>
 
+#include "rules/textures/level_of_detail.h"
+#include "rules/textures/texel_filter.h"
+
 namespace edgecase {
 namespace {
 

@@ -11,8 +11,6 @@
 
 namespace edgecase {
 
-inline constexpr int kRulingOnCoordinatePlaces = 63;
-
 bool is_at_share_of_one(const ValueContext& context, const Fragment& fragment);
 
 // The place in the pixel that gl_FragCoord.xy names, if that is not the sample for which the shader

@@ -24,13 +24,13 @@
 #include "diff/values/value_diff.h"
 #include "diff/values/value_judge.h"
 #include "rules/all_rules.h"
+#include "rules/values/attributes.h"
 #include "rules/values/derivative.h"
 
 namespace edgecase {
 namespace {
 
 constexpr int kRuling = 16;
-constexpr int kRulingOnAreas = 49;
 
 // A fragment's derivative along one axis.
 struct ReportedDerivative {
@@ -306,7 +306,7 @@ class DerivativeComparison {
       d.ruling = kRulingOnLineValues;
       d.legality = by_letter(may_go_by_major_axis(context_, *reported.fragment));
     }
-    if (d.cause.empty() && is_of_larger_area(reported)) d.ruling = kRulingOnAreas;
+    if (d.cause.empty() && is_of_larger_area(reported)) d.ruling = kRulingOnLargerAreas;
     d.explanation += "is no difference of neighbours that the specification permits";
     if (!d.cause.empty()) d.explanation += fmt::format(", but one under {}", text_of(d.cause));
     add_disagreement(result, std::move(d));

@@ -63,7 +63,7 @@ class DitheredPixels {
     constexpr const char* kComponents[] = {"red", "green", "blue", "alpha"};
     const auto [draw, c, component] = key;
     Disagreement* const d =
-        add_disagreement(result, pixel, value_class(-1, RuleId::framebuffer_unorm8, 10));
+        add_disagreement(result, pixel, value_class(-1, RuleId::framebuffer_unorm8));
     if (d == nullptr) return;
     d->figure = value_figure(pixel);
     d->exact = {static_cast<double>(to_unorm8(component))};

@@ -24,6 +24,8 @@
 #include "diff/values/value_diff.h"
 #include "diff/values/value_judge.h"
 #include "rules/all_rules.h"
+#include "rules/coverage/clip_volume.h"
+#include "rules/output/polygon_offset.h"
 #include "rules/values/attributes.h"
 
 namespace edgecase {
@@ -70,7 +72,7 @@ bool compare_flat_color(const ValueContext& context, const Fragment& fragment, R
   const bool agrees = shows(fragment, color);
   if (agrees && (legal || context.latitude == Latitude::none)) return true;
   Disagreement d =
-      value_disagreement({fragment.x, fragment.y}, fragment.primitive, RuleId::attribute_flat, 8);
+      value_disagreement({fragment.x, fragment.y}, fragment.primitive, RuleId::attribute_flat);
   d.legality = by_letter(legal);
   d.policy_agrees = agrees;
   d.exact.assign(color.begin(), color.end());
@@ -107,7 +109,8 @@ std::string name_of_component(const std::string& attribute, std::size_t componen
 Disagreement beyond_disagreement(std::span<const ValueComponent> components,
                                  const ValueComponent& beyond, const Fragment& fragment,
                                  Point place, RuleId rule, const std::string& attribute) {
-  Disagreement d = value_disagreement({fragment.x, fragment.y}, fragment.primitive, rule, 9);
+  Disagreement d = value_disagreement({fragment.x, fragment.y}, fragment.primitive, rule,
+                                      kRulingOnInterpolation);
   for (const ValueComponent& c : components) {
     d.exact.push_back(c.exact);
     d.rendered.push_back(c.rendered);
@@ -161,8 +164,7 @@ void blame(const ValueContext& context, const Fragment& fragment, Disagreement& 
     d.legality = by_letter(may_go_by_major_axis(context, fragment));
   }
   const RuleId rule = cause.rule();
-  if (rule == RuleId::attribute_location || rule == RuleId::attribute_centroid)
-    std::tie(d.rule, d.ruling) = std::pair(rule, rule_of(rule).ruling);
+  if (rule == RuleId::attribute_location || rule == RuleId::attribute_centroid) put_under(rule, d);
 }
 
 // True if the depth would be right if it were clamped. That it is not clamped is contested (ruling
@@ -194,7 +196,7 @@ void contest_place(Disagreement& d) {
 // Polygon offset is a rule of its own, too.
 void blame_depth(const ValueContext& context, const Fragment& fragment, Disagreement& d) {
   if (has_offset(context, fragment) && is_unclamped_alone(context, fragment)) {
-    std::tie(d.rule, d.ruling) = std::pair(offset_rule(context, fragment), 45);
+    std::tie(d.rule, d.ruling) = std::pair(offset_rule(context, fragment), kRulingOnUnclampedDepth);
     return;
   }
   // A depth with an offset is no mean.
@@ -205,11 +207,11 @@ void blame_depth(const ValueContext& context, const Fragment& fragment, Disagree
   blame(context, fragment, d, cause_of_depth(context, fragment));
   if (!has_offset(context, fragment)) return;
   if (d.cause.empty())
-    std::tie(d.rule, d.ruling) = std::pair(offset_rule(context, fragment), 38);
+    put_under(offset_rule(context, fragment), d);
   else if (const RuleId rule = d.cause.rule(); rule == RuleId::offset_slope ||
                                                rule == RuleId::offset_unit ||
                                                rule == RuleId::offset_exponent)
-    std::tie(d.rule, d.ruling) = std::pair(rule, rule_of(rule).ruling);
+    put_under(rule, d);
 }
 
 // The fragment with the interpolated values in the colour's place.
@@ -242,11 +244,11 @@ bool report_the_same(const Fragment& a, const Fragment& b) {
 
 void compare_fragment_values(const ValueContext& context, const Rendering& exact,
                              const Rendering& rendered, Result& result) {
-  ValueAggregator colors("color", RuleId::attribute_smooth, 9);
+  ValueAggregator colors("color", RuleId::attribute_smooth);
   const FollowedLocation followed = followed_location(context, rendered);
   ValueAggregator elsewhere("color", followed.rule, followed.ruling, followed.cause);
-  ValueAggregator coordinates("texture coordinates", RuleId::attribute_smooth, 9);
-  ValueAggregator depths("depth", RuleId::fragment_depth, 9);
+  ValueAggregator coordinates("texture coordinates", RuleId::attribute_smooth);
+  ValueAggregator depths("depth", RuleId::fragment_depth, kRulingOnInterpolation);
   const FollowedDepth followed_z = followed_depth(context, rendered);
   ValueAggregator depths_elsewhere("depth", followed_z.rule, followed_z.ruling, followed_z.cause);
   const FollowedOffset followed_o = followed_offset(context, rendered);
@@ -341,10 +343,10 @@ void compare_coordinates(const ValueContext& context, const Rendering& exact,
                          const Rendering& rendered, Result& result) {
   constexpr RuleId kRule = RuleId::fragment_coordinates;
   const FollowedDepth followed = followed_depth(context, rendered);
-  ValueAggregator depths("gl_FragCoord.z", kRule, 17);
+  ValueAggregator depths("gl_FragCoord.z", kRule);
   ValueAggregator elsewhere("gl_FragCoord.z", followed.rule, followed.ruling, followed.cause);
-  ValueAggregator inverses("gl_FragCoord.w", kRule, 17);
-  ValueAggregator places("gl_FragCoord.xy", kRule, 17);
+  ValueAggregator inverses("gl_FragCoord.w", kRule);
+  ValueAggregator places("gl_FragCoord.xy", kRule);
   DrawnFragments drawn(exact);
   for (const Fragment& f : rendered.fragments) {
     Patience::check();
@@ -360,7 +362,7 @@ void compare_coordinates(const ValueContext& context, const Rendering& exact,
     if (!is_exact && anywhere && inside && !other) {
       add_coordinates(places, f, place, {x, y});
     } else if (!is_exact) {
-      Disagreement d = value_disagreement({f.x, f.y}, f.primitive, kRule, 17);
+      Disagreement d = value_disagreement({f.x, f.y}, f.primitive, kRule);
       d.exact = {place.x.to_double(), place.y.to_double()};
       d.rendered = {x, y};
       d.explanation = fmt::format("gl_FragCoord.xy is ({:.9g}, {:.9g}), not {}", x, y,

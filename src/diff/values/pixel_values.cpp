@@ -13,7 +13,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -22,6 +21,7 @@
 #include "diff/values/sample_writers.h"
 #include "diff/values/value_diff.h"
 #include "diff/values/value_judge.h"
+#include "rules/coverage/clip_volume.h"
 #include "rules/values/framebuffer.h"
 #include "rules/values/inexact_interpolation.h"
 
@@ -130,13 +130,13 @@ class PixelComparison {
     }
     const Fragment* const last = writers.front();
     const Fragment* const earlier = earlier_one(fragments, sample, last, stored);
-    DisagreementClass of = value_class(-1, RuleId::framebuffer_unorm8, 10);
+    DisagreementClass of = value_class(-1, RuleId::framebuffer_unorm8);
     of.sample = sample;
     of.cause = cause_of_switch(fragments, sample, stored);
     if (std::ranges::any_of(all, holds_color_of))
-      std::tie(of.rule, of.ruling) = std::pair(RuleId::sample_alpha_to_coverage, 33);
+      put_under(RuleId::sample_alpha_to_coverage, of);
     else if (earlier != nullptr)
-      std::tie(of.rule, of.ruling) = std::pair(RuleId::framebuffer_order, 11);
+      put_under(RuleId::framebuffer_order, of);
     else
       contest(truth_of(last), stored, of);
     if (Disagreement* const d = add_disagreement(result, pixel, of))
@@ -251,7 +251,7 @@ class PixelComparison {
   std::array<double, 4> last_color_{};        // the latest colour of a last fragment
   std::array<std::uint8_t, 4> last_code_{};   // the same in 8 bits
   bool may_be_dithered_ = false;              // some flat colour is not stored as its nearest code
-  ValueAggregator aggregator_{"pixel", RuleId::framebuffer_unorm8, 10};
+  ValueAggregator aggregator_{"pixel", RuleId::framebuffer_unorm8};
 };
 
 }  // namespace

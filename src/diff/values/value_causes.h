@@ -8,12 +8,10 @@
 
 #include "diff/values/value_diff.h"
 #include "rules/choices.h"
+#include "rules/values/attributes.h"
 
 namespace edgecase {
 
-// The ruling on values of a line that follow its major axis, or are those of another fragment of a
-// wide line's column.
-inline constexpr int kRulingOnLineValues = 46;
 bool is_by_major_axis(const Cause& cause);
 
 // The first alternative of attribute.smooth, attribute.perspective and attribute.positions that
@@ -48,7 +46,7 @@ LocationChoice locations_of(const Change& change, const RuleChoices& chosen);
 struct FollowedLocation {
   Cause cause;
   RuleId rule = RuleId::attribute_smooth;
-  int ruling = 9;
+  int ruling = kRulingOnInterpolation;
 
   // True if this location yields the fragment's colour and the policy's does not.
   bool explains(const ValueContext& context, const Fragment& fragment) const;
@@ -60,7 +58,7 @@ FollowedLocation followed_location(const ValueContext& context, const Rendering&
 struct FollowedDepth {
   Cause cause;
   RuleId rule = RuleId::fragment_depth;
-  int ruling = 9;
+  int ruling = kRulingOnInterpolation;
 
   bool explains(const ValueContext& context, const Fragment& fragment) const;
 };
@@ -91,7 +89,7 @@ Cause cause_of_offset(const ValueContext& context, const Fragment& fragment);
 struct FollowedOffset {
   Cause cause;
   RuleId rule = RuleId::fragment_depth;
-  int ruling = 9;
+  int ruling = kRulingOnInterpolation;
 
   bool explains(const ValueContext& context, const Fragment& fragment) const {
     return !cause.empty() && has_offset(context, fragment);

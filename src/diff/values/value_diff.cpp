@@ -13,9 +13,9 @@
 #include "diff/coverage/vertex_latitude.h"
 #include "model/rendering.h"
 #include "raster/rasterizer.h"
+#include "rules/all_rules.h"
 #include "rules/coverage/clip_volume.h"
 #include "rules/output/polygon_offset.h"
-#include "rules/rule.h"
 #include "rules/values/inexact_interpolation.h"
 
 namespace edgecase {
@@ -215,9 +215,14 @@ DisagreementClass value_class(int primitive, RuleId rule, int ruling) {
   of.primitive = primitive;
   of.kind = DisagreementKind::value;
   of.rule = rule;
-  of.ruling = ruling;
+  of.ruling = ruling != 0 ? ruling : rule_of(rule).ruling;
   of.legality = Legality::illegal;
   return of;
+}
+
+void put_under(RuleId rule, DisagreementClass& of) {
+  of.rule = rule;
+  of.ruling = rule_of(rule).ruling;
 }
 
 Figure value_figure(PixelPosition pixel) {
@@ -264,8 +269,8 @@ double range_of(const Interpolant& interpolant) {
 
 ValueAggregator::ValueAggregator(std::string attribute, RuleId rule, int ruling, Cause cause) {
   aggregate_.attribute = std::move(attribute);
-  aggregate_.rule = std::move(rule);
-  aggregate_.ruling = ruling;
+  aggregate_.rule = rule;
+  aggregate_.ruling = ruling != 0 ? ruling : rule_of(rule).ruling;
   aggregate_.cause = std::move(cause);
 }
 

@@ -146,8 +146,6 @@ Interval depth_permitted_at(const PrimitiveValues& values, Point place);
 // triangle's plane.
 Interval with_means(Interval permitted, const ScenePrimitive& primitive,
                     const PrimitiveValues& values, const Interpolant& datum);
-inline constexpr int kRulingOnPolygonDepth = 44;
-inline constexpr int kRulingOnPolygonValues = 66;
 
 // `permitted`, of a value that exact computes as the specification does, extended to include the
 // exact value rounded to float32: exact is never accused. The exact value is left out if a renderer
@@ -160,12 +158,15 @@ Interval holding(Interval permitted, double exact);
 Interval permitted_within(const Interpolant& interpolant, const Interpolant& inverse_w,
                           std::span<const PermittedPlace> corners);
 
-// Value disagreements at a pixel, not legal and without a sample. primitive -1: the pixel.
-DisagreementClass value_class(int primitive, RuleId rule, int ruling);
+// Value disagreements at a pixel, not legal and without a sample. primitive -1: the pixel. ruling
+// 0: the rule's own.
+DisagreementClass value_class(int primitive, RuleId rule, int ruling = 0);
+// Puts it under the rule and the rule's own ruling.
+void put_under(RuleId rule, DisagreementClass& of);
 // The pixel's centre, marked.
 Figure value_figure(PixelPosition pixel);
 // A disagreement of the class, with the figure.
-Disagreement value_disagreement(PixelPosition pixel, int primitive, RuleId rule, int ruling);
+Disagreement value_disagreement(PixelPosition pixel, int primitive, RuleId rule, int ruling = 0);
 
 // Distance between neighbouring float32 values at `value`.
 double float_ulp(double value);
@@ -180,7 +181,8 @@ double range_of(const Interpolant& interpolant);
 // Counts the values of one attribute that differ inside the permitted range, and keeps the worst.
 class ValueAggregator {
  public:
-  ValueAggregator(std::string attribute, RuleId rule, int ruling, Cause cause = {});
+  // ruling 0: the rule's own
+  ValueAggregator(std::string attribute, RuleId rule, int ruling = 0, Cause cause = {});
 
   const std::string& attribute() const { return aggregate_.attribute; }
 

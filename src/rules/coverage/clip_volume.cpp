@@ -121,7 +121,7 @@ Rule clip_volume_rule() {
         "discarded, "
         "as the implementation likes; exact discards it. Elsewhere nothing is drawn of it, however "
         "large it is."},
-       {68,
+       {kRulingOnSides,
         "OpenGL ES clips points and lines at the near and the far plane alone, where OpenGL clips "
         "lines at the viewport's sides, too, and may discard points beyond them. So of a renderer "
         "that says it is OpenGL ES a point is drawn wherever its vertex lies between near and far, "
@@ -129,7 +129,7 @@ Rule clip_volume_rule() {
         "that rulings 1, 2, 6, 12 and 28 give it. If fragments within the viewport are left out "
         "since the point was discarded or the line was cut at a side, it is a violation. Those "
         "beyond the sides may be left out under ruling 54. Triangles are clipped as in OpenGL."},
-       {66,
+       {kRulingOnPolygonValues,
         "Contested: a value that a fragment of a clipped polygon carries, other than depth, lies "
         "between the least and the greatest of the values at the polygon's vertices, but is not "
         "that of the triangle's plane. The plane's value may be that of any place within reach: "
@@ -139,14 +139,14 @@ Rule clip_volume_rule() {
         "the values at its vertices, and so does OpenGL ES 3.2 (13.7.1). The Khronos tests "
         "(dEQP-GLES3.functional.clipping.polygon.*) want the plane's colours, within a pixel. A "
         "value below the least or above the greatest is a violation (ruling 9)."},
-       {44,
+       {kRulingOnPolygonDepth,
         "Contested: a depth of a clipped polygon's fragment lies between the least and the "
         "greatest depth of the polygon's vertices, but not on the triangle's plane. Equation 14.10 "
         "interpolates depths between the triangle's vertices. But of a polygon with more than "
         "three edges 14.6.1 requires only a convex combination of the values at its vertices, and "
         "so does OpenGL ES 3.2 (13.7.1). The Khronos tests of clipped polygons "
         "(dEQP-GLES3.functional.clipping.polygon.*) compare coverage and colours, no depths."},
-       {54,
+       {kRulingOnViewport,
         "Contested: a point or a line lacks fragments beyond the viewport's sides, where its "
         "square or its width reaches into the framebuffer. 14.4.1 produces a fragment for each "
         "framebuffer pixel whose centre lies in the point's square, 14.5.2.2 produces whole "

@@ -27,6 +27,14 @@ namespace edgecase {
 Rule clip_volume_rule();  // clip.volume
 Rule line_clip_rule();    // line.clip
 
+// The rulings on depths and values of a polygon that are not on its triangle's plane.
+inline constexpr int kRulingOnPolygonDepth = 44;
+inline constexpr int kRulingOnPolygonValues = 66;
+// The ruling on fragments of points and lines that are left out beyond the viewport's sides.
+inline constexpr int kRulingOnViewport = 54;
+// The ruling on points and lines of OpenGL ES that lack fragments beside the viewport's sides.
+inline constexpr int kRulingOnSides = 68;
+
 enum class ClipMethod {
   homogeneous,    // sample by sample, as above
   polygon,        // as a polygon, cut at all six planes; new vertices are snapped like others

@@ -276,11 +276,11 @@ Rule diamond_exit_rule() {
        "(2.3.4.1). Fragments outside the target are not seen: those of the diamond-exit rule "
        "that lie within one unit of the target's border count as seen or unseen, whichever "
        "favours the renderer."},
-      {2,
+      {kRulingOnUnseenLine,
        "Lines of width 1 whose set of diamond-exit fragments is empty: at most one fragment is "
        "drawn, and it lies within one unit in x and y of a pixel whose closed diamond the segment "
        "meets. Ruling 58 contests one that does not lie at such a pixel."},
-      {58,
+      {kRulingOnEmptyLine,
        "Contested: the one fragment of a line of width 1 that has no diamond-exit fragments lies "
        "within one unit in x and y of a pixel whose closed diamond the segment meets, but not at "
        "such a pixel. Rule 1 of 14.5.1 allows a fragment only near a corresponding one of the "

@@ -25,6 +25,8 @@ namespace edgecase {
 
 Rule diamond_exit_rule();
 Rule interior_gap_rule();
+inline constexpr int kRulingOnUnseenLine = 2;  // without a fragment
+inline constexpr int kRulingOnEmptyLine = 58;  // its single fragment
 
 // True if the segment meets the diamond of pixel (x, y).
 bool meets_diamond(const Segment& segment, int x, int y, const DiamondBoundary& boundary);

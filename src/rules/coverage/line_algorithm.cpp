@@ -319,7 +319,7 @@ Rule line_width_rule() {
        "rulings 1 and 2 for the segment moved by -(w - 1)/2 along the minor axis; if that segment "
        "has no diamond-exit fragments, the one run starts at a pixel whose closed diamond it "
        "meets. A run that the target's border cuts is assumed to continue beyond it."},
-      {56,
+      {kRulingOnSmallerWidth,
        "Contested: a wide line is as wide as the next integer below its width, where the nearest "
        "integer is the one above. 14.5.2.2 rounds the width to the nearest integer, and so does "
        "OpenGL ES 3.2 (13.6.2.1). But the Khronos tests "

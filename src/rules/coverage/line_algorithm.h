@@ -102,6 +102,7 @@ bool fills_area(const LineChoice& choice, Fixed width);
 
 Rule line_algorithm_rule();
 Rule line_width_rule();
+inline constexpr int kRulingOnSmallerWidth = 56;  // the next smaller integer
 
 // The width of columns: rounded to the nearest integer, at least 1.
 int rounded_width(Fixed width);

@@ -72,7 +72,7 @@ Rule fragment_invariant_rule() {
       "none; under multisampling a primitive that is moved may have other samples (14.3.1)",
       "",
       {},
-      {{67,
+      {{kRulingOnImages,
         "Two drawings of a renderer are held against each other, and against no other. A "
         "primitive of a target of one sample, moved by whole pixels and cut by nothing, has the "
         "same fragments, each moved as far (14.2). Colour masks, clear colours, the box of the "
@@ -80,7 +80,7 @@ Rule fragment_invariant_rule() {
         "their depths and colours, nor what is stored of them inside the box (A.3, rule 2). The "
         "same scene, drawn again, is the same to the last bit (A.3, rule 1). Values of a moved "
         "primitive are not compared: ruling 9 judges each."},
-       {70,
+       {kRulingOnSuggestedImages,
         "Contested: a fragment is another one, or is missing, with other parameters of blending or "
         "with a depth buffer that nothing reads. A.3 (rule 2) suggests strongly, and does not "
         "require, that blending's parameters have no side effects, and its corollary 1 counts "

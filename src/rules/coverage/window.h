@@ -83,6 +83,8 @@ Rule fragment_once_rule();
 // a moved primitive are rounded elsewhere.
 
 Rule fragment_invariant_rule();
+inline constexpr int kRulingOnImages = 67;
+inline constexpr int kRulingOnSuggestedImages = 70;
 
 // Essay: The sub-pixel grid
 //

@@ -331,7 +331,7 @@ Rule blend_rounding_rule() {
             "1/255, and the result, clamped to 0 to 1, is stored as either neighbour. The "
             "products by 0 and by 1 and the stored colour's own value have no error. Components "
             "that are masked keep what is stored, to the bit."},
-           {61,
+           {kRulingOnBlendedCodes,
             "Contested: a blended component of an 8-bit target is one to five codes beyond what "
             "roundings to 8 bits yield: source, constant, both factors, both products and their "
             "sum each rounded to either neighbouring multiple of 1/255, or not, and the result "

@@ -24,6 +24,7 @@ namespace edgecase {
 Rule blend_equation_rule();  // blend.equation
 Rule blend_rounding_rule();  // blend.rounding
 Rule color_mask_rule();      // color.mask
+inline constexpr int kRulingOnBlendedCodes = 61;
 
 enum class BlendMethod {
   as_set,

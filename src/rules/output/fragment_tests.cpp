@@ -157,7 +157,7 @@ Rule depth_test_rule() {
         "as one and the same number are converted to one and the same value, and compare as "
         "equal. If the renderer reports no depth, any depth that rulings 9 and 38 permit is "
         "possible."},
-       {55,
+       {kRulingOnUnconvertedDepth,
         "Contested: depths are compared as they are, before conversion, with what a fixed-point "
         "buffer stores. This must account for all samples of a case. 15.2.3 converts depths to "
         "fixed-point before the tests, as window depths are, and 14.6.5 has depths that differ by "

@@ -82,6 +82,7 @@ std::uint8_t after(StencilOperation operation, const StencilFace& face, std::uin
 
 Rule depth_test_rule();  // depth.test
 Rule depth_mask_rule();  // depth.mask
+inline constexpr int kRulingOnUnconvertedDepth = 55;
 
 enum class DepthTestMethod {
   as_set,

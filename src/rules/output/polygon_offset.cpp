@@ -237,13 +237,13 @@ Rule offset_unit_rule() {
         "vertices. Vertices may have moved, and each operation may err, as in ruling 9. The "
         "sum of depth and offset is clamped to 0 to 1. All fragments of a triangle have one "
         "offset."},
-       {45,
+       {kRulingOnUnclampedDepth,
         "Contested: after a polygon offset gl_FragCoord.z lies beyond 0 to 1, and would be right "
         "if it were clamped. 14.6.5 clamps depths once the offset is added, whatever the buffer, "
         "and so does OpenGL ES 3.2 (13.7.2). But 15.2.2 says of gl_FragCoord.z only that the "
         "offset is added, and drivers clamp where depths are tested. No Khronos test reads "
         "gl_FragCoord.z after an offset. What is stored is clamped."},
-       {64,
+       {kRulingOnOneUnit,
         "In all answers of a renderer on a surface r of a fixed-point depth buffer of n bits is "
         "one constant, throughout the range of depths: what two answers show of it must have "
         "a number in common. Which number that is remains open (ruling 38)."}}};

@@ -23,6 +23,8 @@ namespace edgecase {
 Rule offset_slope_rule();     // offset.slope
 Rule offset_unit_rule();      // offset.unit: fixed-point buffers
 Rule offset_exponent_rule();  // offset.exponent: floating-point buffers
+inline constexpr int kRulingOnUnclampedDepth = 45;
+inline constexpr int kRulingOnOneUnit = 64;
 
 enum class OffsetSlope { length, largest_partial, sum_of_partials, ignored };
 template <>

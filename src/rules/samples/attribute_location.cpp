@@ -365,7 +365,7 @@ Rule shading_rate_rule() {
         "which a primitive covers only k samples has at least k/n of these, rounded up, and at "
         "most k. Their coverage masks share no bit, and together contain the covered samples. "
         "Fewer invocations than requested are a violation, more are not."},
-       {60,
+       {kRulingOnPartlyCovered,
         "Contested: a pixel of n samples, of which a primitive covers k, has fewer than k m/n "
         "invocations, rounded up, but at least max(1, m - (n - k)). Here m is the least for a "
         "whole pixel: max(ceil(s n), 1) under GL_SAMPLE_SHADING with share s, and n where an input "

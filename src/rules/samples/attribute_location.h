@@ -155,6 +155,7 @@ std::vector<Point> corners_of(std::span<const HalfPlane> planes);
 // an invocation. They may run more invocations than the draw asks for.
 
 Rule shading_rate_rule();  // sample.shading-rate
+inline constexpr int kRulingOnPartlyCovered = 60;
 
 enum class ShadingRate {
   as_needed,   // once for the pixel or, if more is requested, once for each covered sample

@@ -92,7 +92,7 @@ Rule resolve_rule() {
         "of the pixel and its neighbours, since filters wider than a pixel exist, and 12 codes "
         "beyond, which the Khronos tests accept. The samples are those that the renderer "
         "reports, or else those that rulings 27 to 33 permit."},
-       {51,
+       {kRulingBeyondSamples,
         "A resolved colour more than 12 codes below the least or above the greatest of the samples "
         "of the pixel and its neighbours is not made of the samples: 18.3.1 leaves open how they "
         "are resolved, and not that they are. The Khronos tests (dEQP-GLES3.functional.fbo.msaa.*) "

@@ -22,6 +22,7 @@ namespace edgecase {
 // mean and round it in different ways.
 
 Rule resolve_rule();  // sample.resolve
+inline constexpr int kRulingBeyondSamples = 51;
 
 enum class ResolveMethod {
   nearest_even,      // the mean, rounded to nearest, a tie to the even value

@@ -138,7 +138,7 @@ Rule alpha_to_coverage_rule() {
         "pixels, since their equal numbers for equal alphas have such odds. Where the shader runs "
         "for each sample, an invocation's alpha counts for its own sample. While GL_MULTISAMPLE is "
         "disabled it does nothing."},
-       {52,
+       {kRulingOnProportion,
         "Contested: fragments that cover all n samples keep numbers of them that are not "
         "proportional to alpha. Some fragment's number is one or more off alpha n, and thresholds "
         "for each sample of each pixel, drawn evenly from 0 to 1, yield the sum of the case's "
@@ -149,7 +149,7 @@ Rule alpha_to_coverage_rule() {
         "Khronos tests (dEQP-GLES3.functional.multisample.*.proportionality_alpha_to_coverage) "
         "want no more than that an image's sum never falls as alpha grows, that 0 keeps nothing "
         "and that 1 keeps all."},
-       {69,
+       {kRulingOnFallingNumbers,
         "Contested: at one pixel of a framebuffer object, fragments that cover all samples keep "
         "fewer of them of a larger alpha, be it in another answer of the renderer. 14.9.3 lets the "
         "function differ between pixels, and wants the number proportional to alpha, so that at "

@@ -83,6 +83,8 @@ std::uint32_t writable_samples(const Multisampling& use, int samples, SampleMask
 // implementation that we know sets bits from sample 0 upward as alpha passes thresholds.
 
 Rule alpha_to_coverage_rule();  // sample.alpha-to-coverage
+inline constexpr int kRulingOnProportion = 52;
+inline constexpr int kRulingOnFallingNumbers = 69;  // in several answers
 
 // Sample s of n is kept if alpha is
 enum class AlphaToCoverage {

@@ -148,7 +148,7 @@ Rule sample_positions_rule() {
         "evaluated, in every pixel, and the index under which it says so is the bit of the "
         "coverage "
         "mask. Where these positions are not those of the case, exact is drawn anew with them."},
-       {47,
+       {kRulingOnOtherPlaces,
         "Contested: the coverage of a multisampled primitive at a sample is wrong for the position "
         "that GL_SAMPLE_POSITION reports, but right for another position in the sample's pixel or "
         "less than a pixel beyond it. A hole in a shared edge is contested, too, where some such "
@@ -159,13 +159,13 @@ Rule sample_positions_rule() {
         "leave all partly covered pixels free. What no such position explains is a violation "
         "(rulings 4, 5, 6, 28 and 42), and so is what a sample covers if no one position explains "
         "all of it (ruling 65)."},
-       {62,
+       {kRulingOnSharedPlaces,
         "Contested: two samples of a pixel lie at one place, which the case does not ask for. "
         "14.3.1 leaves the places to the renderer, and does not say that they differ; neither does "
         "OpenGL ES 3.2 (13.4). But the Khronos tests "
         "(dEQP-GLES3.functional.multisample.*.num_samples) want at least one shade more than there "
         "are samples along edges, which samples at one place do not give."},
-       {65,
+       {kRulingOnOnePlace,
         "A sample has one place in all pixels of a target whose sample locations are fixed, and in "
         "all such targets with as many samples: whoever reports places has such targets. Ruling 47 "
         "leaves open which place that is. Where no place, by the latitude of vertices, explains "

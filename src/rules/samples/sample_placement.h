@@ -22,6 +22,9 @@
 namespace edgecase {
 
 Rule sample_positions_rule();  // sample.positions
+inline constexpr int kRulingOnOtherPlaces = 47;
+inline constexpr int kRulingOnSharedPlaces = 62;
+inline constexpr int kRulingOnOnePlace = 65;
 
 struct SamplePlacement {
   enum class Kind {

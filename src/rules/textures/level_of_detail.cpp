@@ -96,7 +96,7 @@ Rule log2_rule() {
        "that is off by up to 2^-4 is contested by ruling 50; one farther off is a violation, "
        "whatever approximation leads there. The logarithm of 0 is reported as any number of -16 or "
        "less, which no bias leads out of magnification."},
-      {50,
+      {kRulingOnPrecision,
        "Contested: a level of detail is off by 2^-6 to 2^-4, or a coordinate by 2^-7 to 2^-4 of a "
        "texel. 2.3.4.1 states 1 part in 10^5 of each operation. But no precision of samplers is "
        "stated, and OpenGL ES 3.2 says the same (2.3.4.1, 8.14.1, 8.14.2). The Khronos tests "

@@ -35,6 +35,8 @@ namespace edgecase {
 // corresponding roots. Renderers compute these formulas in float32.
 
 Rule log2_rule();  // texture.log2
+// Of what coarse samplers look up.
+inline constexpr int kRulingOnPrecision = 50;
 
 // Ways to compute a logarithm, all of them monotonic.
 enum class Log2Method {

@@ -346,7 +346,7 @@ Rule anisotropy_rule() {
        "the least and the largest of them. Else it leaves what lies between the least and the "
        "largest of their texels by the difference of both at most, since cubic and Lanczos "
        "filters, whose weights may be negative, lead no further."},
-      {57,
+      {kRulingOnAnisotropicHull,
        "Contested: an anisotropic filter makes a component of levels of many colours that does not "
        "lie between the least and the largest of the texels that it may access, but leaves that "
        "range by no more than their difference. No mean leads there. But filters with negative "

@@ -171,6 +171,7 @@ Interval accessed_level(Interval lambda, const Sampler& sampler, int last, const
 // If the vectors have equal lengths, the one along y counts as the longer, as in the extension.
 
 Rule anisotropy_rule();  // texture.anisotropy
+inline constexpr int kRulingOnAnisotropicHull = 57;
 
 enum class Anisotropy {
   extension,

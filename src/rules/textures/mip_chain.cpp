@@ -143,7 +143,7 @@ Rule mipmap_filter_rule() {
         "by their difference at most, since cubic and Lanczos filters, whose weights may be "
         "negative, lead no further. All of this is meant within one code of 8 bits or 1 part in "
         "10^5."},
-       {48,
+       {kRulingOnMipHull,
         "Contested: a texel of a generated level does not lie between the least and the largest of "
         "the texels of the level above that lie at most half a texel of its own beyond its area, "
         "within one code of 8 bits or 1 part in 10^5. 8.14.4 computes levels by filtered "

@@ -22,6 +22,7 @@ Rule level_count_rule();      // mipmap.level-count
 Rule mipmap_filter_rule();    // mipmap.filter
 Rule mipmap_rounding_rule();  // mipmap.rounding
 Rule mipmap_srgb_rule();      // mipmap.srgb: linear or codes, see MipmapMethod
+inline constexpr int kRulingOnMipHull = 48;
 
 enum class LevelCount {
   larger_side,   // down to 1x1: OpenGL

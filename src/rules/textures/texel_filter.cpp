@@ -308,7 +308,7 @@ Rule texel_filter_rule() {
         "the renderer reports the level of detail, its colour must fit that level. A coordinate "
         "that is infinite or not a number may yield any colour, and so may levels that the "
         "renderer generated and does not report."},
-       {53,
+       {kRulingOnSrgb,
         "Contested: a red, green or blue looked up in an sRGB texture is beyond what the filter "
         "and the rounding to 8 bits permit (ruling 24), by 0.005 at most. 2.3.4.1 states 1 part in "
         "10^5 of each operation of the conversion to linear light. But 8.24 states no precision of "

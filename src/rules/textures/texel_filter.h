@@ -29,6 +29,7 @@ namespace edgecase {
 
 Rule texel_filter_rule();  // texture.filter: nearest and linear; its rulings on weights
 Rule texel_grid_rule();    // texture.texel-grid
+inline constexpr int kRulingOnSrgb = 53;  // of coarse samplers
 
 // The grid on which texel coordinates are put before texels and weights are derived from them.
 enum class TexelGrid {

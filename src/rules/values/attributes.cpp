@@ -58,7 +58,7 @@ Rule smooth_attribute_rule() {
   rule.standard = "projection";
   rule.alternatives = alternatives_of<LineParameter>();
   rule.rulings = {
-      {9,
+      {kRulingOnInterpolation,
        "Smooth attributes and depth: a value is permitted if the interpolation formula can yield "
        "it when every operation may err by 1 part in 10^5 and every vertex may have moved by "
        "less than 2^-b (b as in ruling 4). A value equal to the correctly rounded exact value "
@@ -75,7 +75,7 @@ Rule smooth_attribute_rule() {
        "row of its column a fragment may be: at most (w - 1)/2 away along the minor axis. "
        "gl_FragCoord and depth are interpolated as usual, and have the same latitude; "
        "derivatives are differences of any values that fragments may have."},
-      {46,
+      {kRulingOnLineValues,
        "Contested: a value along a line follows its coordinate on the major axis alone, and not "
        "its projection onto the line. It may be either axis if the line is as long in x as in y, "
        "or if moves of its vertices by less than a sub-pixel step can make it so. Or a wide line's "
@@ -133,7 +133,7 @@ Rule fragment_coordinates_rule() {
             "gl_FragCoord.xy of a target without multisampling is the pixel's centre, a number of "
             "halves that float32 holds: any other value is a violation. gl_FragCoord.z is the "
             "fragment's depth, gl_FragCoord.w is 1/w interpolated linearly in the window."},
-           {63,
+           {kRulingOnCoordinatePlaces,
             "Contested: with GL_SAMPLE_SHADING and a share of 1, gl_FragCoord is not that of the "
             "sample for which the shader runs, but x and y are those of another place in the "
             "pixel, w is that of any such place, or z is that of the place that x and y name. "

@@ -59,6 +59,9 @@ Rule perspective_rule();           // attribute.perspective
 Rule attribute_positions_rule();   // attribute.positions
 Rule depth_rule();                 // fragment.depth
 Rule fragment_coordinates_rule();  // fragment.coordinates: gl_FragCoord
+inline constexpr int kRulingOnInterpolation = 9;  // of depths, too
+inline constexpr int kRulingOnLineValues = 46;    // by the major axis, or of a wide line's column
+inline constexpr int kRulingOnCoordinatePlaces = 63;  // elsewhere in the pixel
 
 // Whether attributes are divided by w.
 enum class PerspectiveChoice {

@@ -176,7 +176,7 @@ Rule derivative_rule() {
        "any two neighbours along the axis among the nine pixels around the fragment; all may be "
        "the derivative itself. Each value is as ruling 9 permits it, and the subtraction is as "
        "inexact as any operation. Where quads begin is open."},
-      {49,
+      {kRulingOnLargerAreas,
        "Contested: dFdx, dFdy or a coarse form is the difference of two neighbours along the axis "
        "that lie farther away than the nine pixels around the fragment, but in an area of 4x4 "
        "pixels that contains it. GLSL 4.60, 8.14.1, takes the current fragment's neighbours, and "

@@ -38,6 +38,7 @@ Rule derivative_rule();         // derivative.plain: dFdx and dFdy
 Rule fine_derivative_rule();    // derivative.fine
 Rule coarse_derivative_rule();  // derivative.coarse
 Rule quad_rows_rule();          // derivative.quad-rows: the end from which quads are counted
+inline constexpr int kRulingOnLargerAreas = 49;  // of the mean over a larger area
 
 enum class DerivativeMethod {
   analytic,
