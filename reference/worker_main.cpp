@@ -117,8 +117,14 @@ int serve_lines(SceneRenderer& renderer, const RendererInfo& info, std::FILE* ou
   const RendererInfo* claims = &info;
   for (std::string line; std::getline(std::cin, line);) {
     const auto parsed = parse_request(line);
-    if (const auto* error = std::get_if<WireError>(&parsed))
-      return complain(kUsageError, "bad request: " + error->message);
+    if (const auto* error = std::get_if<WireError>(&parsed)) {
+      if (error->digest.empty()) return complain(kUsageError, "bad request: " + error->message);
+      // What this worker does not know may change what must be drawn.
+      if (!write_line(output, refusal_line(error->digest, error->message, claims)))
+        return complain(kUsageError, "the parent reads no more");
+      claims = nullptr;
+      continue;
+    }
     const Request& request = std::get<Request>(parsed);
     const auto status =
         answer_one(renderer, request, [&](const Outcome& outcome, bool coverage_only) {

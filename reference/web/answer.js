@@ -88,5 +88,6 @@ function claimsOf({gl, limits}) {
 function answerTo(renderer, request) {
   if (request.edgecase !== PROTOCOL_VERSION)
     return {not_run: `version ${request.edgecase} of the protocol is not spoken here`};
-  return renderer.outcomeOf(request.scene);
+  const unknown = unknownIn(request.scene, KNOWN_SCENE);
+  return unknown ? {not_run: `/scene${unknown}`} : renderer.outcomeOf(request.scene);
 }

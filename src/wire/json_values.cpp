@@ -99,7 +99,8 @@ std::int64_t read_integer(const json& value, const Path& path, std::int64_t low,
   const std::int64_t number = huge ? 0 : value.get<std::int64_t>();
   if (huge || number < low || number > high)
     throw Refusal(
-        fmt::format("{} is {}, but it must be {} to {}", path.text(), value.dump(), low, high));
+        fmt::format("{} is {}, but it must be {}", path.text(), value.dump(),
+                    low == high ? fmt::to_string(low) : fmt::format("{} to {}", low, high)));
   return number;
 }
 

@@ -21,27 +21,21 @@ namespace {
 // The value of "answer" in a request for coverage only.
 constexpr std::string_view kCoverageAnswer = "coverage";
 
-Request read_request(const json& document) {
+// The digest comes first, so that whatever else is wrong can be answered.
+void read_request(const json& document, Request& request) {
   const Path root;
-  wire::require_object(document, root, {"edgecase", "id", "digest", "answer", "scene"});
+  request.digest = wire::read_string(wire::member(document, root, "digest"), {root, "digest"});
   wire::read_integer(wire::member(document, root, "edgecase"), {root, "edgecase"}, kProtocolVersion,
                      kProtocolVersion);
-  Request request;
   request.id = wire::read_string(wire::member(document, root, "id"), {root, "id"});
-  request.digest = wire::read_string(wire::member(document, root, "digest"), {root, "digest"});
-  if (const json* answer = wire::optional_member(document, "answer")) {
-    const std::string& name = wire::read_string(*answer, {root, "answer"});
-    if (name != kCoverageAnswer)
-      throw Refusal(fmt::format("/answer is \"{}\", but it must be \"{}\"", wire::excerpt(name, 40),
-                                kCoverageAnswer));
-    request.coverage_only = true;
-  }
+  // Keys beside the scene never change the drawing, so unknown ones are ignored.
+  const json* answer = wire::optional_member(document, "answer");
+  request.coverage_only = answer != nullptr && *answer == kCoverageAnswer;
   request.scene = wire::read_scene(wire::member(document, root, "scene"), {root, "scene"});
   const std::string digest = digest_of(scene_json(request.scene));
   if (digest != request.digest)
     throw Refusal(fmt::format("/digest is \"{}\", but the scene's is \"{}\"",
                               wire::excerpt(request.digest, 40), digest));
-  return request;
 }
 
 }  // namespace
@@ -67,10 +61,12 @@ std::string request_line(const std::string& id, std::string_view scene_json, boo
 }
 
 std::variant<Request, WireError> parse_request(std::string_view line) {
+  Request request;
   try {
-    return read_request(wire::parse_text(line));
+    read_request(wire::parse_text(line), request);
+    return request;
   } catch (const Refusal& refusal) {
-    return WireError{refusal.what()};
+    return WireError{refusal.what(), request.digest};
   }
 }
 

@@ -19,6 +19,7 @@ namespace edgecase {
 // Why a line is refused: one sentence with the fault and its place, without a full stop.
 struct WireError {
   std::string message;
+  std::string digest = {};  // of a refused request, whose refusal repeats it; empty if unknown
 };
 
 // Version of the protocol, the value of "edgecase" in every request.
@@ -45,8 +46,8 @@ std::string digest_of(std::string_view scene_json);
 std::string request_line(const std::string& id, std::string_view scene_json,
                          bool coverage_only = false);
 
-// The inverse. Refuses anything but a request of this version, scenes beyond the limits in
-// model/scene.h, and a scene that does not match the line's digest.
+// The inverse. Refuses anything but a request of this version, unknown keys and names of the scene,
+// scenes beyond the limits in model/scene.h, and a scene that does not match the line's digest.
 std::variant<Request, WireError> parse_request(std::string_view line);
 
 }  // namespace edgecase

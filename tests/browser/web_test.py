@@ -7,6 +7,7 @@ import json
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -21,7 +22,7 @@ sys.path[:0] = [str(TESTS / "tools"), str(TESTS / "support")]
 
 from browser import Browser  # noqa: E402
 from share import IS_QUICK, in_full_tier  # noqa: E402
-from support import (EDGECASE, SUITE, UNEXPECTED, CommandTest, environment,  # noqa: E402
+from support import (BIN, EDGECASE, SUITE, UNEXPECTED, CommandTest, environment,  # noqa: E402
                      only_result, verdicts)
 
 RENDERER_FAILED = 4
@@ -34,6 +35,8 @@ TOLD_ALIKE = [f"{SUITE}/{name}.json" for name in (
     "output/stencil/at-each-sample", "output/stencil/sample-mask", "samples/depth/at-edges",
     "samples/attributes/frag-coord-at-samples", "textures/level-of-detail/magnified",
     "textures/level-of-detail/sixteenths", "textures/level-of-detail/odd-images")][::3 if IS_QUICK else 1]
+STATEFUL = [*(f"{SUITE}/{folder}" for folder in ("output", "samples", "textures")), "--sample",
+            "1/40" if IS_QUICK else "1/4"]
 FLAT = [f"{SUITE}/{folder}" for folder in ("points", "lines", "triangles")]
 # What webgl:firefox needs, by the name of a program and of Debian's package.
 NEEDED = {"firefox-esr": "firefox-esr", "xvfb-run": "xvfb", "xauth": "xauth"}
@@ -127,6 +130,41 @@ class Page(CommandTest):
         self.assertGreater(self.counts()["drawn"], len(found) / 2)
         self.assertLessEqual({url.split(":")[0] for url in self.browser.requests()},
                              {"about", "file"})
+
+    def test_a_planted_key_is_refused_by_its_name(self):
+        """In any object of a scene, without anybody telling the page of it; the suite's own are known."""
+        self.open(self.page_of(*STATEFUL))
+        found = self.browser.driver.execute_async_script("""
+          const done = arguments[0];
+          const found = {unknown: [], drawn: [], objects: []};
+          const objects = new Set();
+          function plant(scene, value, place) {
+            if (typeof value !== "object") return;
+            if (!Array.isArray(value)) {
+              objects.add(place.replace(/[0-9]+/g, "N"));
+              value.planted = 1;
+              const {not_run} = answerTo(page.device.renderer, {edgecase: 1, scene});
+              if (not_run !== `/scene${place} has the unknown key "planted"`) found.drawn.push(place);
+              delete value.planted;
+            }
+            // One of many vertices or numbers will do.
+            Object.entries(value).slice(0, 20).forEach(
+              ([key, part]) => plant(scene, part, `${place}/${key}`));
+          }
+          (async () => {
+            for (const block of page.data.blocks)
+              for (const {id, scene} of await casesOf(block)) {
+                const unknown = unknownIn(scene, KNOWN_SCENE);
+                if (unknown) found.unknown.push(id + unknown);
+                plant(scene, scene, "");
+              }
+            found.objects = [...objects];
+          })().then(() => done(found), (fault) => done({unknown: [fault.stack]}));""")
+        self.assertEqual((found["unknown"], found["drawn"]), ([], []))
+        self.assertLessEqual({"", "/target", "/textures/N/levels/N", "/draws/N/vertices/N",
+                              "/draws/N/texture/lookup", "/draws/N/stencil/back",
+                              "/draws/N/depth", "/draws/N/blend/alpha", "/draws/N/polygon_offset",
+                              "/draws/N/multisampling"}, set(found["objects"]))
 
     def test_a_tab_that_is_about_to_be_closed_asks(self):
         """What was drawn until then can be saved, and says that it is not all."""
@@ -271,6 +309,12 @@ def status_of(address):
 
 
 class Live(CommandTest):
+    def test_it_keeps_the_protocol(self):
+        """What it does not know, such as a key of a later version, it refuses."""
+        run = self.command("backends", f"exec:{shlex.quote(str(BIN / 'edgecase-webgl'))} chromium",
+                           "--timeout", str(PATIENCE))
+        self.assertRegex(run.stdout, r"\d+ checks: \d+ pass, .*\b0 fail\n")
+
     def rendered(self, renderer):
         run = self.command("render", *TOLD_ALIKE, "--with", renderer, "--json", "-", expect=None)
         return answers(run.stdout), run.stderr

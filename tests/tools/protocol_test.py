@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""`edgecase backends exec:PROGRAM`: both examples keep the protocol, programs that break one sentence
-of it fail that check, and the example in C++ is charged with nothing that it draws."""
+"""`edgecase backends exec:PROGRAM`: both examples and our own worker keep the protocol, programs that
+break one sentence of it fail that check, and the example in C++ is charged with nothing that it draws."""
 import collections
 import json
 import shlex
@@ -15,6 +15,9 @@ from support import (AS_EXPECTED, BIN, RENDERER, ROOT, SUITE, UNEXPECTED, Comman
 SMALL = f"exec:{shlex.quote(str(BIN / 'edgecase-example'))}"
 LARGE = "exec:" + " ".join(map(shlex.quote, [
     sys.executable, "-B", str(ROOT / "reference" / "examples" / "rasterizer.py")]))
+WORKER = "exec:" + " ".join(map(shlex.quote, [
+    "env", "GALLIUM_DRIVER=llvmpipe", "LIBGL_ALWAYS_SOFTWARE=1", "LP_NUM_THREADS=0",
+    str(BIN / "edgecase-gl"), "egl-surfaceless"]))
 # One case in so many, of the folders that the example in C++ has something of.
 SHARE = ["--sample", "1/20"]
 FOLDERS = ("colors", "lines", "points", "surfaces", "targets", "triangles")
@@ -116,6 +119,10 @@ class Checks(CommandTest):
         checks = self.examine(LARGE, AS_EXPECTED)
         refused = {name for name, check in checks.items() if check["outcome"] == "not supported"}
         self.assertEqual(refused, {"draws or refuses wide lines", "draws or refuses supersampling"})
+
+    def test_our_own_worker_passes(self):
+        outcomes = {check["outcome"] for check in self.examine(WORKER, AS_EXPECTED).values()}
+        self.assertEqual(outcomes, {"pass"})
 
     def test_as_text(self):
         run = self.command("backends", SMALL)

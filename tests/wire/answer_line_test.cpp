@@ -289,7 +289,7 @@ TEST(CoverageAlone, SaysWhatIsWrongAndWhere) {
       {head + "[0,2,0,0]}", "/coverage/1 is 2, but it must be 0 to 1"},
       {head + "[0,0,3,3]}", "/coverage/2 is 3, but it must be 0 to 2"},
       {head + "[0,0,0,0,0,0,0,3]}", "/coverage/7 is 3, but it must be 0 to 2"},
-      {head + "[0,0,2,1]}", "/coverage/3 is 1, but it must be 2 to 2"},
+      {head + "[0,0,2,1]}", "/coverage/3 is 1, but it must be 2"},
       {head + "[0,0,0,1.0]}", "/coverage/3 must be an integer, but it is 1.0"},
       {head + R"([0,0,0,"1"]})", "/coverage/3 must be an integer"},
       {head + R"([],"pixels":[]})", "both \"coverage\" and \"pixels\""},

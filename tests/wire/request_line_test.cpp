@@ -3,11 +3,15 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+#include <set>
+
 #include "tests/wire/scenes.h"
 
 namespace edgecase {
 namespace {
 
+using nlohmann::json;
 using ::testing::HasSubstr;
 
 std::string message_of(const std::string& line) {
@@ -67,10 +71,44 @@ TEST(RequestLine, AsksForCoverageAlone) {
   }
   const std::string asking = request_line("a", text, true);
   EXPECT_THAT(asking, HasSubstr(R"("answer":"coverage")"));
-  EXPECT_THAT(message_of(replaced(asking, R"("coverage")", R"("depths")")),
-              HasSubstr("/answer is \"depths\", but it must be \"coverage\""));
-  EXPECT_THAT(message_of(replaced(asking, R"("coverage")", "1")),
-              HasSubstr("/answer must be a string, but it is 1"));
+}
+
+// A later version may ask for more beside the scene, and a whole answer is always right.
+TEST(RequestLine, IgnoresWhatIsUnknownBesideTheScene) {
+  const std::string asking = request_line("a", scene_json(small_scene()), true);
+  for (const char* other : {R"("answer":"depths")", R"("answer":1)", R"("hint":{"of":"more"})"}) {
+    const auto parsed = parse_request(replaced(asking, R"("answer":"coverage")", other));
+    ASSERT_TRUE(std::holds_alternative<Request>(parsed)) << std::get<WireError>(parsed).message;
+    EXPECT_FALSE(std::get<Request>(parsed).coverage_only);
+  }
+}
+
+// What an older worker is sent: a key that only a later version has, in any object of a scene.
+TEST(RequestLine, RefusesAPlantedKeyByItsName) {
+  Scene scene = textured_scene();
+  scene.target.samples = 2;
+  scene.draws[0].polygon_offset.emplace();
+  scene.draws[0].operations.stencil.emplace();
+  scene.draws[0].operations.depth.write = false;
+  scene.draws[0].operations.blending.emplace();
+  const json whole = json::parse(scene_json(scene));
+  std::set<std::string> objects;
+  const json leaves = whole.flatten();
+  for (const auto& [leaf, value] : leaves.items())
+    for (json::json_pointer at(leaf); !at.empty();) {
+      at = at.parent_pointer();
+      if (whole.at(at).is_object()) objects.insert(at.to_string());
+    }
+  EXPECT_GE(objects.size(), 25u);
+  for (const std::string& object : objects) {
+    json planted = whole;
+    planted[json::json_pointer(object)]["planted"] = 1;
+    const auto parsed = parse_request(request_of(planted.dump()));
+    ASSERT_TRUE(std::holds_alternative<WireError>(parsed)) << object;
+    const auto& refused = std::get<WireError>(parsed);
+    EXPECT_THAT(refused.message, HasSubstr("/scene" + object + " has the unknown key \"planted\""));
+    EXPECT_EQ(refused.digest, digest_of(planted.dump()));
+  }
 }
 
 // Texts that belong together as bytes: digests of them are compared.
@@ -164,9 +202,9 @@ TEST(RequestLine, RefusesWhatIsNoRequest) {
   EXPECT_EQ(message_of(good), "");
   EXPECT_THAT(message_of(""), HasSubstr("no line of JSON"));
   EXPECT_THAT(message_of(good + "x"), HasSubstr("no line of JSON"));
-  EXPECT_THAT(message_of("[]"), HasSubstr("the line must be an object"));
+  EXPECT_THAT(message_of("[]"), HasSubstr("has no \"digest\""));
   EXPECT_THAT(message_of(replaced(good, "\"edgecase\":1", "\"edgecase\":2")),
-              HasSubstr("/edgecase is 2"));
+              HasSubstr("/edgecase is 2, but it must be 1"));
   EXPECT_THAT(message_of(replaced(good, "\"digest\":\"", "\"digest\":\"0")),
               HasSubstr("but the scene's is"));
 }
