@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <utility>
 
@@ -46,6 +47,7 @@ constexpr bool is_raw_point(Point p) {
 }
 // The point must satisfy is_raw_point.
 constexpr RawPoint raw_point(Point p) {
+  assert(is_raw_point(p));
   return {static_cast<std::int32_t>(p.x.raw()), static_cast<std::int32_t>(p.y.raw())};
 }
 

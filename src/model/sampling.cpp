@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <string>
 
@@ -34,6 +35,8 @@ constexpr int kGridBits = 30;     // grid of clip x and y below the leading bit 
 std::int64_t nearest_float32(std::int64_t numerator, std::int64_t denominator) {
   const auto magnitude = static_cast<std::uint64_t>(std::abs(numerator));
   const auto below = static_cast<std::uint64_t>(denominator);
+  assert(0 < denominator && denominator <= std::int64_t{1} << 30);
+  assert(magnitude / below <= std::uint64_t{1} << 32);
   const int spare = std::max(0, static_cast<int>(std::bit_width(magnitude / below)) - kFloat32Bits);
   const std::uint64_t step = below << spare;
   const std::uint64_t twice_rest = 2 * (magnitude % step);
@@ -46,6 +49,7 @@ std::int64_t nearest_float32(std::int64_t numerator, std::int64_t denominator) {
 // With 2^e the power of two at or below w, units are 2^(e-30): |value| <= w < 2^31, all whole. The
 // sum's numerator is at most 2^31 2^15 2^15 + 2^17 2^31.
 float moved_clip(float value, float w, Fixed shift, int size) {
+  assert(std::fabs(value) <= w);
   const int exponent = std::ilogb(w) - kGridBits;
   const auto units = [&](float number) {
     return static_cast<std::int64_t>(std::ldexp(static_cast<double>(number), -exponent));

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "model/fnv.h"
 #include "wire/json_values.h"
 #include "wire/scene_json.h"
 
@@ -47,9 +48,7 @@ std::string scene_json(const Scene& scene) {
 }
 
 std::string digest_of(std::string_view scene_json) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (char c : scene_json) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return fmt::format("{:016x}", hash);
+  return fmt::format("{:016x}", fnv_of(scene_json));
 }
 
 std::string request_line(const std::string& id, std::string_view scene_json, bool coverage_only) {

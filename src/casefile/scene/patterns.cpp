@@ -2,6 +2,7 @@
 #include "casefile/scene/patterns.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -33,6 +34,7 @@ constexpr std::int64_t kUnitWeight = std::int64_t{1} << 16;
 
 // A number from 0 to count - 1; `count` is at most 2^16.
 std::int64_t below(std::int64_t count, std::uint64_t& state) {
+  assert(0 < count && count <= std::int64_t{1} << 16);
   const std::uint64_t word = next_word(state) >> 32;
   return static_cast<std::int64_t>((word * static_cast<std::uint64_t>(count)) >> 32);
 }

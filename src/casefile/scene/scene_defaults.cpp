@@ -11,6 +11,7 @@
 #include "casefile/scene/viewport.h"
 #include "exact/numeral.h"
 #include "model/clipped_line.h"
+#include "model/fnv.h"
 
 namespace edgecase {
 
@@ -44,12 +45,7 @@ bool hues_differ(std::uint64_t steps) {
 }  // namespace
 
 std::uint64_t hash_of_id(std::string_view id) {
-  std::uint64_t hash = 0xCBF29CE484222325U;  // FNV-1a, 64 bits
-  for (const char c : id) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 0x100000001B3U;
-  }
-  return mix(hash);
+  return mix(fnv_of(id));
 }
 
 Color salted_clear(std::uint64_t hash) {

@@ -2,6 +2,7 @@
 #include "rules/coverage/block_walk.h"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 namespace edgecase {
@@ -17,6 +18,8 @@ class Edge {
         right_(Int128{from.y} * to.w - Int128{to.y} * from.w),
         up_(Int128{to.x} * from.w - Int128{from.x} * to.w) {
     // A component of the normal is at most 2^79, and a position at most 2^16.
+    assert(-kLargestNormal <= right_ && right_ <= kLargestNormal);
+    assert(-kLargestNormal <= up_ && up_ <= kLargestNormal);
     const auto [outside, inside] =
         std::minmax_element(places.begin(), places.end(),
                             [&](Point a, Point b) { return growth_to(a) < growth_to(b); });
@@ -39,6 +42,8 @@ class Edge {
  private:
   Int128 growth_to(Point place) const { return right_ * place.x.raw() + up_ * place.y.raw(); }
 
+  [[maybe_unused]] static constexpr Int128 kLargestNormal = Int128{1} << 79;
+
   HomogeneousPoint from_, to_;
   Int128 right_, up_;  // its growth to the right and up
   Point most_inside_, most_outside_;
@@ -50,6 +55,7 @@ const EdgeNumbers kAllEdges = {0, 1, 2};
 // The largest pixel whose sample is not beyond the coordinate: floor(coordinate/w - place).
 // The coordinate is at most 2^14 w, and w at most 2^32.
 int last_pixel(std::int64_t coordinate, std::int64_t w, Fixed place) {
+  assert(0 < w && w <= std::int64_t{1} << 32 && std::abs(coordinate) / w <= 1 << 14);
   const Int128 above = Int128{coordinate} * Fixed::kOne - Int128{place.raw()} * w;
   const Int128 below = Int128{w} * Fixed::kOne;
   return static_cast<int>(above / below - (above % below < 0 ? 1 : 0));

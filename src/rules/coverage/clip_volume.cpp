@@ -2,6 +2,7 @@
 #include "rules/coverage/clip_volume.h"
 
 #include <fmt/format.h>
+#include <cassert>
 
 #include <algorithm>
 #include <array>
@@ -35,6 +36,9 @@ bool leaves_depth(const UnclippedTriangle& triangle) {
 // e_i / e, and the sample's own w is the unit of -1 and 1. An e_i is below 2^111 and a z at most
 // 2^33; e is below 2^127 and a sample's w at most 2^16.
 bool lies_between_near_and_far(const UnclippedTriangle& triangle, const HomogeneousPoint& sample) {
+  assert(0 < sample.w && sample.w <= Fixed::kOne);
+  assert(std::ranges::all_of(triangle.z,
+                             [](std::int64_t z) { return std::abs(z) <= std::int64_t{1} << 33; }));
   const auto& v = triangle.positions;
   Int256 area = cross(v[0], v[1], v[2]);
   Int256 depth = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rules/coverage/homogeneous_line.h"
 
+#include <cassert>
+
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/segment.h"
 
@@ -13,6 +15,8 @@ namespace {
 
 // A rotated point stores u and v as its x and y.
 HomogeneousPoint rotated(const HomogeneousPoint& p) {
+  assert(0 < p.w && p.w <= std::int64_t{1} << 33);
+  assert(std::abs(p.x) / p.w <= 1 << 14 && std::abs(p.y) / p.w <= 1 << 14);
   return {p.x + p.y, p.x - p.y, p.w};
 }
 

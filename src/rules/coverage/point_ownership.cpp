@@ -2,6 +2,7 @@
 #include "rules/coverage/point_ownership.h"
 
 #include <fmt/format.h>
+#include <cassert>
 
 #include <algorithm>
 #include <cmath>
@@ -150,6 +151,8 @@ HomogeneousPoint moved(const HomogeneousPoint& vertex, PointOffset offset) {
 bool point_covers(const HomogeneousSizedPoint& point, Point sample, const TieRule& ties) {
   // In units of 2^-17/w pixels: the size is at most 2^22 w, a distance 2^32 w, w 2^35.
   const HomogeneousPoint& vertex = point.vertex;
+  assert(0 < vertex.w && vertex.w <= std::int64_t{1} << 35);
+  assert(0 < point.size.raw() && point.size.raw() <= 1 << 22);
   const Int128 size = Int128{point.size.raw()} * vertex.w;
   const auto distance = [&](Fixed place, std::int64_t coordinate) {
     return 2 * (place.raw() * Int128{vertex.w} - Fixed::kOne * Int128{coordinate});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "exact/binary32.h"
 
@@ -200,6 +201,9 @@ namespace {
 // bounds of exact/homogeneous.h: within the range of TieRule.
 bool inside_edge(const HomogeneousPoint& a, const HomogeneousPoint& b,
                  const HomogeneousPoint& sample, const TieRule& ties) {
+  [[maybe_unused]] constexpr std::int64_t kMost = std::int64_t{1} << 30;
+  assert(std::abs(sample.x) <= kMost && std::abs(sample.y) <= kMost);
+  assert(0 < sample.w && sample.w <= Fixed::kOne);
   const Int128 right = Int128{a.y} * b.w - Int128{b.y} * a.w;
   const Int128 up = Int128{b.x} * a.w - Int128{a.x} * b.w;
   return ties.positive(cross(a, b, sample), right, up);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <tuple>
@@ -202,6 +203,7 @@ void add_triangle(HalfPlanes& planes, const Triangle& given, std::int64_t reach)
 
 // The whole number at or above the square root; the number is at most 2^62.
 std::int64_t root_above(Int128 value) {
+  assert(0 <= value && value <= Int128{1} << 62);
   auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(value)));
   while (Int128{root} * root < value) ++root;
   return root;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 
@@ -64,6 +65,9 @@ struct WayAlong {
   Int128 most = 0;
 
   void add_axis(Fixed way, Fixed run, std::int64_t reach) {
+    [[maybe_unused]] constexpr std::int64_t kMost =
+        (std::int64_t{1} << 30) + (std::int64_t{1} << 18);
+    assert(std::abs(way.raw()) + reach < kMost && std::abs(run.raw()) + 2 * reach < kMost);
     const Int128 low = way.raw() - reach, high = way.raw() + reach;
     const Int128 slow = run.raw() - 2 * reach, fast = run.raw() + 2 * reach;
     const auto [least_product, most_product] =

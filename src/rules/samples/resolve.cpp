@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -181,6 +182,7 @@ double in_single_precision(std::span<const double> shown, const Supersampling& p
   for (std::size_t k = 0; k < shown.size(); ++k) {
     const float product = static_cast<float>(shown[k]) * static_cast<float>(passes[k].weight);
     sum += product;
+    assert(0 < passes[k].weight && passes[k].weight <= 1 << 20);
     total += passes[k].weight;
   }
   return static_cast<double>(sum / static_cast<float>(total));
