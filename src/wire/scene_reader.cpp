@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/scene_faults.h"
 #include "wire/json_values.h"
 #include "wire/scene_json.h"
 
@@ -54,29 +55,13 @@ void check_levels(const Texture& texture, const Path& path) {
   }
 }
 
-void check_sampler(const Sampler& sampler, const Texture& texture, const Path& path) {
-  if (sampler.min_lod > sampler.max_lod)
-    throw Refusal(fmt::format("{} has a min_lod of {}, which is more than its max_lod of {}",
-                              path.text(), sampler.min_lod, sampler.max_lod));
-  if (sampler.base_level > sampler.max_level)
-    throw Refusal(fmt::format("{} has a base_level of {}, which is more than its max_level of {}",
-                              path.text(), sampler.base_level, sampler.max_level));
-  const int all = level_count(texture.levels[0].width, texture.levels[0].height);
-  const int count = texture.generated ? all : static_cast<int>(texture.levels.size());
-  if (sampler.mipmap != MipFilter::none && count < all)
-    throw Refusal(fmt::format("{} looks up levels, but its texture has 1 of {}", path.text(), all));
-  if (sampler.base_level >= count)
-    throw Refusal(fmt::format("{}/base_level is {}, but the texture's last level is {}",
-                              path.text(), sampler.base_level, count - 1));
+[[noreturn]] void refuse(const SceneFault& fault, const Path& path) {
+  throw Refusal(fmt::format("{}: {}", path.text(), fault.text));
 }
 
 // Refuses a scene whose passes are too much work or move a vertex out of range.
 void check_passes(const Scene& scene, const Path& path) {
-  if (pass_work(scene) > kMaxPassWork)
-    throw Refusal(
-        fmt::format("{} has {} passes, which draw {} pixels, texels and vertices, but "
-                    "they must be at most {}",
-                    path.text(), scene.supersampling.size(), pass_work(scene), kMaxPassWork));
+  if (const auto fault = fault_of_passes(scene)) refuse(*fault, path);
   for (std::size_t k = 0; k < scene.supersampling.size(); ++k)
     for (const Draw& draw : scene.draws)
       for (const Vertex& vertex : draw.vertices)
@@ -271,7 +256,8 @@ class SceneReader {
     if (scene_.textures.empty())
       throw Refusal(path.text() + " is there, but the scene has no textures");
     read_object(value, path, use);
-    check_sampler(use.sampler, *scene_.textures[use.texture], path);
+    const Texture& texture = *scene_.textures[use.texture];
+    for (const SceneFault& fault : faults_of(use.sampler, &texture)) refuse(fault, path);
   }
   void read(const json& value, const Path& path, Limits, std::size_t& texture) {
     const auto last = static_cast<std::int64_t>(scene_.textures.size()) - 1;

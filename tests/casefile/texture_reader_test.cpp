@@ -11,6 +11,7 @@
 #include "casefile/loader.h"
 #include "casefile/scene/patterns.h"
 #include "image/image_file.h"
+#include "model/scene_faults.h"
 
 namespace edgecase {
 namespace {

@@ -96,7 +96,7 @@ TEST(SupersampledRequests, KeepToTheLimitsOfScenes) {
   EXPECT_THAT(refusal_of(scene), HasSubstr("has 1025 elements, but it must have 1 to 1024"));
   scene = two_passes();
   scene.target.width = scene.target.height = 2048;
-  EXPECT_THAT(refusal_of(scene), HasSubstr("has 2 passes, which draw 8388618 pixels"));
+  EXPECT_THAT(refusal_of(scene), HasSubstr("2 passes of 4194309 pixels"));
   scene = two_passes();
   scene.draws[1].vertices[0].position.x = Fixed::from_integer(8192);
   EXPECT_THAT(refusal_of(scene), HasSubstr("/supersampling/0 moves a vertex out of its range"));

@@ -265,13 +265,12 @@ TEST(TextureValues, WrongTextureUsesAreRefused) {
   EXPECT_THAT(refusal("\"min_lod\":-1000.0", "\"min_lod\":1000.5"),
               HasSubstr("/min_lod is 1000.5, but it must be a float32 value of -1000 to 1000"));
   EXPECT_THAT(refusal("\"min_lod\":-1000.0,\"max_lod\":1000.0", "\"min_lod\":2.5,\"max_lod\":2.0"),
-              HasSubstr("/scene/draws/0/texture has a min_lod of 2.5, which is more than its "
-                        "max_lod of 2"));
+              HasSubstr("/scene/draws/0/texture: min_lod is 2.5, above max_lod, which is 2"));
   EXPECT_THAT(refusal("\"base_level\":0", "\"base_level\":3"),
-              HasSubstr("/texture/base_level is 3, but the texture's last level is 2"));
+              HasSubstr("/texture: base_level is 3, and the texture has 3"));
   EXPECT_THAT(refusal("\"base_level\":0", "\"base_level\":-1"), HasSubstr("base_level is -1"));
   EXPECT_THAT(refusal("\"base_level\":0,\"max_level\":1000", "\"base_level\":2,\"max_level\":1"),
-              HasSubstr("/texture has a base_level of 2, which is more than its max_level of 1"));
+              HasSubstr("/texture: max_level is 1, below base_level, which is 2"));
   EXPECT_THAT(refusal("\"border\":[0.0,", "\"border\":["),
               HasSubstr("/texture/border must have 4 elements"));
   EXPECT_THAT(refusal("\"border\":[0.0,", "\"border\":[0.1,"),
@@ -289,15 +288,16 @@ TEST(TextureValues, LevelsAreRefusedOfATextureThatHasNone) {
   TextureUse& use = *scene.draws[0].texture;
   use.texture = 1;
   use.sampler.mipmap = MipFilter::linear;
-  expect_refused(scene, "/scene/draws/0/texture looks up levels, but its texture has 1 of 3");
+  expect_refused(scene,
+                 "/texture: the mip filter is \"linear\", and the texture has level 0 alone");
   use.sampler.mipmap = MipFilter::none;
   use.sampler.base_level = 1;
-  expect_refused(scene, "/texture/base_level is 1, but the texture's last level is 0");
+  expect_refused(scene, "/texture: base_level is 1, and the texture has 1");
   use.texture = 2;  // generated: two levels
   use.sampler.mipmap = MipFilter::nearest;
   expect_carried(scene);
   use.sampler.base_level = 2;
-  expect_refused(scene, "/texture/base_level is 2, but the texture's last level is 1");
+  expect_refused(scene, "/texture: base_level is 2, and the texture has 2");
 }
 
 TEST(TextureValues, WrongLookupsAreRefused) {

@@ -14,6 +14,7 @@
 #include "casefile/json/text.h"
 #include "casefile/scene/forms.h"
 #include "casefile/scene/patterns.h"
+#include "model/scene_faults.h"
 
 namespace edgecase {
 
@@ -278,14 +279,8 @@ void read_supersample(const ObjectReader& object, TargetFields& fields, Findings
 }
 
 void check_pass_work(const Scene& scene, const TargetFields& fields, Findings& findings) {
-  const std::uint64_t work = pass_work(scene);
-  if (work > kMaxPassWork)
-    findings.add(*fields.supersample_place,
-                 fmt::format("{} passes of {} pixels, generated texels and vertices each are {}",
-                             scene.supersampling.size(), work / scene.supersampling.size(), work),
-                 fmt::format("keep the product at {} at most: use a smaller target, or fewer "
-                             "samples",
-                             kMaxPassWork));
+  if (const auto fault = fault_of_passes(scene))
+    findings.add(*fields.supersample_place, fault->text, fault->remedy);
 }
 
 void check_no_drawing(const TargetFields& fields, const Place& drawing, Findings& findings) {

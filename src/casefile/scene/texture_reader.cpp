@@ -345,10 +345,4 @@ std::optional<TextureList> read_textures(const Place& place, TextureShelf& shelf
   return textures;
 }
 
-bool has_whole_chain(const Texture& texture) {
-  const TextureLevel& base = texture.levels.front();
-  return texture.generated ||
-         static_cast<int>(texture.levels.size()) == level_count(base.width, base.height);
-}
-
 }  // namespace edgecase

@@ -9,6 +9,7 @@
 #include "casefile/json/schema.h"
 #include "casefile/json/text.h"
 #include "casefile/scene/forms.h"
+#include "model/scene_faults.h"
 
 namespace edgecase {
 
@@ -55,36 +56,6 @@ void read_border(const Place& place, const Texture* texture, Findings& findings,
   border = read_color(place, "a border", range, findings).value_or(border);
 }
 
-// Checks conditions that do not depend on the texture.
-void check_ranges(const Place& place, const Sampler& sampler, Findings& findings) {
-  if (sampler.min_lod > sampler.max_lod)
-    findings.add(place,
-                 fmt::format("min_lod is {}, above max_lod, which is {}",
-                             short_decimal(sampler.min_lod), short_decimal(sampler.max_lod)),
-                 "exchange them");
-  if (sampler.max_level < sampler.base_level)
-    findings.add(place,
-                 fmt::format("max_level is {}, below base_level, which is {}", sampler.max_level,
-                             sampler.base_level),
-                 "exchange them");
-}
-
-// Checks that the texture has the levels that the sampler uses.
-void check_levels(const Place& place, const Sampler& sampler, const Texture& texture,
-                  Findings& findings) {
-  const TextureLevel& base = texture.levels.front();
-  if (sampler.mipmap != MipFilter::none && !has_whole_chain(texture))
-    findings.add(place,
-                 fmt::format("the mip filter is {}, and the texture has level 0 alone",
-                             quote(name_of(sampler.mipmap))),
-                 "give the texture \"mipmaps\": \"box\" or \"generated\", or \"levels\"");
-  const int levels = has_whole_chain(texture) ? level_count(base.width, base.height) : 1;
-  if (sampler.base_level >= levels)
-    findings.add(
-        place, fmt::format("base_level is {}, and the texture has {}", sampler.base_level, levels),
-        fmt::format("write 0 to {}", levels - 1));
-}
-
 Sampler read_sampler(const Place& place, const Texture* texture, Findings& findings) {
   const std::size_t before = findings.size();
   Sampler sampler;
@@ -95,8 +66,8 @@ Sampler read_sampler(const Place& place, const Texture* texture, Findings& findi
   if (const auto border = object.find("border"))
     read_border(*border, texture, findings, sampler.border);
   if (findings.size() != before) return sampler;
-  check_ranges(place, sampler, findings);
-  if (texture != nullptr) check_levels(place, sampler, *texture, findings);
+  for (const SceneFault& fault : faults_of(sampler, texture))
+    findings.add(place, fault.text, fault.remedy);
   return sampler;
 }
 

@@ -52,9 +52,6 @@ using TextureList = std::vector<std::shared_ptr<const Texture>>;
 std::optional<TextureList> read_textures(const Place& place, TextureShelf& shelf,
                                          Findings& findings);
 
-// Whether every level exists that a mip filter may use.
-bool has_whole_chain(const Texture& texture);
-
 // A draw's use of its texture: "texture", "sampler" and "lookup" of a state, and "uv" of its
 // vertices.
 constexpr float kMaxGradient = 1048576;  // largest magnitude of a given gradient, per pixel
