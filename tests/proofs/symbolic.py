@@ -342,6 +342,8 @@ class Walk:
             self.oblige("check", self.truth(arguments[0][1]))
         elif name == "llvm.ubsantrap":
             self.oblige("no undefined behaviour", FALSE)
+        elif name == "__assert_fail":
+            self.oblige("what the source asserts", FALSE)
         elif not re.match(r"llvm\.(lifetime|assume|dbg|experimental\.noalias)", name):
             raise ValueError(f"a function that is not known: {name}")
         return None
