@@ -26,6 +26,7 @@
 #include "model/policy.h"
 #include "model/renderer.h"
 #include "run/profiles.h"
+#include "search/families.h"
 #include "search/find.h"
 #include "search/minimize.h"
 #include "search/scene_source.h"

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "search/minimize.h"
+#include "search/grid_search.h"
 #include "search/scene_size.h"
 
 namespace edgecase {

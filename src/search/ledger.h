@@ -45,7 +45,7 @@ class Ledger {
 
   // Judges the results added since the last call and returns new finds: for each the smallest
   // scene, in the order in which they were added. Each is returned once, and once more if a scene
-  // with coordinates of kReadableBits (search/minimize.h) shows it for the first time.
+  // with coordinates of kReadableBits (search/grid_search.h) shows it for the first time.
   std::vector<Candidate> take_candidates();
 
   // For each find that could still be easier to read, another scene that shows it, if there is one

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "search/scene_source.h"
+#include "search/mutation.h"
 
 #include <algorithm>
 #include <array>
-#include <iterator>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,7 +12,6 @@
 #include "casefile/case_writer.h"
 #include "casefile/scene/viewport.h"
 #include "model/rule_id.h"
-#include "model/scene.h"
 
 namespace edgecase {
 namespace {
@@ -46,8 +46,6 @@ void move(Draw& draw, std::size_t place, Point to, RandomSource& random) {
   for (Vertex& vertex : draw.vertices)
     if (vertex.position == from) vertex.position = to;
 }
-
-// ------------------------------------------------------------------------------------- coordinates
 
 bool nudge_vertex(Scene& scene, RandomSource& random) {
   if (!is_movable(scene)) return false;
@@ -96,8 +94,6 @@ bool move_edge_to_centre(Scene& scene, RandomSource& random) {
   move(draw, place, {moved(from.x, other.x), moved(from.y, other.y)}, random);
   return true;
 }
-
-// -------------------------------------------------------------------------------------- primitives
 
 // The number of consecutive vertices that can be removed or doubled.
 std::size_t group_of(const Draw& draw) {
@@ -168,8 +164,6 @@ bool reverse_order(Scene& scene, RandomSource& random) {
   return draw.vertices.size() > 1;
 }
 
-// ------------------------------------------------------------------------------------------- state
-
 bool change_interpolation(Scene& scene, RandomSource& random) {
   if (scene.draws.empty()) return false;
   any_draw(scene, random).interpolation = static_cast<Interpolation>(random.below(3));
@@ -202,8 +196,6 @@ bool change_samples(Scene& scene, RandomSource& random) {
   scene.target.sample_positions.clear();
   return true;
 }
-
-// ----------------------------------------------------------------------------------------- wholes
 
 void for_every_point(Scene& scene, auto&& change) {
   for (Draw& draw : scene.draws)

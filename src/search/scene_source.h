@@ -11,59 +11,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "generate/random_scenes.h"
-#include "model/rule_id.h"
 #include "model/scene.h"
+#include "search/families.h"
 
 namespace edgecase {
-
-// ---------------------------------------------------------------------------------------- families
-
-// A kind of random scenes among which a search looks for disagreements.
-//
-// A family concerns some rules. Each of its scenes depends only on seed, surface and index, on
-// every machine, and is built round ties and boundaries where possible; so these three identify a
-// find. Generators lie in src/generate.
-struct Family {
-  const char* name;   // "shared-edges"
-  const char* about;  // a phrase
-  std::vector<RuleId> rules;
-  // Its scenes concern only coverage, so nothing else is requested of the renderer.
-  bool coverage_only;
-  bool has_windows;  // if not, its scenes are of framebuffer objects for either surface
-  Scene (*scene)(std::uint64_t seed, Surface surface, std::uint64_t index);
-  std::uint64_t scenes = 0;  // the number per surface; 0: unlimited
-};
-
-std::span<const Family> all_families();
-
-// Null if there is none of that name.
-const Family* find_family(const std::string& name);
-
-// The families selected by names or rule ids (shell globs), in the order of all_families; all
-// without patterns. If a pattern selects nothing, a sentence that lists all names.
-std::variant<std::vector<const Family*>, std::string> select_families(
-    std::span<const std::string> patterns);
-
-// ---------------------------------------------------------------------------------------- mutation
-
-// Mutation: a copy of a scene with a small change.
-//
-// Scenes near to one that shows something often show more: with a vertex moved by a sub-pixel step
-// or onto the next tie, a primitive removed or doubled, another order, width or number of samples,
-// or everything transposed, mirrored or moved by whole pixels.
-
-// Applies one to three changes. A case file can express the result, so its coordinates reach OpenGL
-// unrounded; nothing if no such scene was found in a few tries. The result depends only on the
-// scene and the random numbers. Vertices given as clip coordinates are not moved.
-std::optional<Scene> mutated(const Scene& scene, RandomSource& random);
-
-// ------------------------------------------------------------------------------------------ source
 
 // The origin of a scene, from which it can be made again.
 struct SceneOrigin {

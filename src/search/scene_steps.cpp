@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: MIT
+#include "search/scene_steps.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <climits>
-#include <cstddef>
 #include <functional>
-#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "casefile/scene/viewport.h"
-#include "model/scene.h"
-#include "search/minimize.h"
 
 namespace edgecase {
-
-// -------------------------------------------------------------------------------------- primitives
-
 namespace {
 
 Primitive separate_form(Primitive primitive) {
@@ -188,8 +183,6 @@ bool join_draws(Shrinking& shrinking) {
   }
   return any;
 }
-
-// ------------------------------------------------------------------------------------------ target
 
 namespace {
 

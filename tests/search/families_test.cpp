@@ -2,6 +2,8 @@
 //
 // Families and mutations: the same for the same seed and index, exact on their way to OpenGL, what
 // a case file can say, and of the forms that they promise.
+#include "search/families.h"
+#include "search/mutation.h"
 #include "search/scene_source.h"
 
 #include <gmock/gmock.h>

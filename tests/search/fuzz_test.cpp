@@ -16,6 +16,8 @@
 
 #include "casefile/loader.h"
 #include "search/find.h"
+#include "search/find_file.h"
+#include "search/fuzz_json.h"
 #include "search/scene_size.h"
 #include "search/trial.h"
 #include "tests/support/altered_renderer.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "search/settings.h"
 #include "search/scene_size.h"
 
 #include <gtest/gtest.h>

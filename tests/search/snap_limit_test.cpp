@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "search/minimize.h"
+#include "search/shrinking.h"
 
 #include <gmock/gmock.h>
 

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "model/scene.h"
-#include "search/minimize.h"
+#include "search/coordinate_steps.h"
+#include "search/grid_search.h"
+#include "search/scene_steps.h"
+#include "search/shrinking.h"
 #include "tests/search/faulty_renderer.h"
 
 namespace edgecase {

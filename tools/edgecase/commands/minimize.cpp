@@ -19,6 +19,7 @@
 #include "run/invariant_renderer.h"
 #include "run/renderers.h"
 #include "search/find.h"
+#include "search/find_file.h"
 #include "search/minimize.h"
 #include "search/scene_size.h"
 #include "tools/edgecase/commands/commands.h"
