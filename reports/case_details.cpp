@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "reports/base64.h"
 #include "reports/pixels.h"
 #include "reports/ramp.h"
 #include "reports/sample_data.h"

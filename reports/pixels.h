@@ -14,8 +14,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "results/deflate.h"
-
 namespace edgecase {
 
 using Bytes = std::vector<std::uint8_t>;

@@ -10,6 +10,7 @@
 
 #include "model/text.h"
 #include "model/threads.h"
+#include "reports/base64.h"
 #include "reports/case_details.h"
 #include "reports/report_index.h"
 #include "results/case_results_json.h"

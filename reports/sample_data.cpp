@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
+#include "reports/base64.h"
 #include "reports/pixels.h"
 
 namespace edgecase {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bytes in fewer bytes (zlib, RFC 1950: deflated, with a checksum at the end), and bytes as text
-// (base64, RFC 4648, section 4).
+// Bytes in fewer bytes (zlib, RFC 1950: deflated, with a checksum at the end).
 #pragma once
 
 #include <cstddef>
@@ -11,12 +10,6 @@
 #include <vector>
 
 namespace edgecase {
-
-// Padded with "=" to a multiple of four characters.
-std::string to_base64(const std::vector<std::uint8_t>& bytes);
-
-// The inverse. Throws std::runtime_error for any other text.
-std::vector<std::uint8_t> from_base64(std::string_view text);
 
 // Throws std::runtime_error if memory runs out.
 std::vector<std::uint8_t> deflated(std::string_view text);

@@ -9,6 +9,7 @@
 #include <regex>
 #include <string>
 
+#include "reports/base64.h"
 #include "reports/pixels.h"
 #include "reports/report_data.h"
 #include "results/case_results_json.h"
@@ -376,17 +377,6 @@ TEST(Pixels, PackingIsReversed) {
 TEST(Pixels, TheDifferenceOfEqualImagesIsNearlyNothing) {
   const Bytes image(4 * 64 * 64, 200);
   EXPECT_LT(to_base64(pack_pixels(difference_of(image, image))).size(), 12u);
-}
-
-TEST(Pixels, Base64) {
-  const auto encoded = [](const std::string& text) {
-    return to_base64({text.begin(), text.end()});
-  };
-  EXPECT_EQ(encoded(""), "");
-  EXPECT_EQ(encoded("f"), "Zg==");
-  EXPECT_EQ(encoded("fo"), "Zm8=");
-  EXPECT_EQ(encoded("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(to_base64({255, 254, 253}), "//79");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "reports/base64.h"
 #include "reports/junit.h"
 #include "reports/pixels.h"
 #include "reports/sample_data.h"

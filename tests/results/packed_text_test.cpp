@@ -45,19 +45,6 @@ Places places_of_square(int size) {
   return places;
 }
 
-TEST(Base64, ReadsBackBytesOfEveryLength) {
-  std::mt19937 random(1);
-  for (std::size_t size = 0; size < 70; ++size) {
-    Bytes bytes(size);
-    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
-    EXPECT_EQ(from_base64(to_base64(bytes)), bytes);
-  }
-  // RFC 4648, section 10.
-  EXPECT_EQ(from_base64("Zm9vYg=="), (Bytes{'f', 'o', 'o', 'b'}));
-  for (const char* bad : {"Zm9", "Zm9*", "Z===", "Zm=v", "Zm9vYg==Zm9v", "Zm9v\n"})
-    EXPECT_THROW(from_base64(bad), std::runtime_error) << bad;
-}
-
 // A few bytes may stand for very many.
 TEST(Deflate, InflatesNoMoreThanIsAllowed) {
   const std::string text(200'000, 'a');

@@ -8,6 +8,7 @@
 
 #include "model/threads.h"
 #include "raster/rasterizer.h"
+#include "reports/base64.h"
 #include "reports/page.h"
 #include "results/deflate.h"
 #include "tools/edgecase/options.h"
