@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "model/figure.h"
@@ -15,6 +16,7 @@
 #include "model/rendering.h"
 #include "model/result.h"
 #include "model/scene.h"
+#include "rules/all_rules.h"
 #include "rules/choices.h"
 #include "rules/renderer_claims.h"
 #include "rules/textures/level_of_detail.h"
@@ -59,34 +61,11 @@ struct PixelExplanation {
 std::vector<PixelExplanation> explain_pixel(const Scene& scene, const ResolvedPolicy& policy, int x,
                                             int y);
 
-// ------------------------------------------------------------------------------------ equal pixels
+// The number of pixels that are equal in all four bytes in two RGBA8 pictures. Pixels that only one
+// of the pictures has count as different.
 //
 // Pictures are compared block by block: most blocks of most pictures are equal, which memcmp finds
 // as fast as memory can be read. Only the other blocks are compared pixel by pixel.
-
-// The number of pixels that are equal in all four bytes in two RGBA8 pictures. Pixels that only one
-// of the pictures has count as different.
 std::size_t count_same_pixels(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b);
-
-// Data for showing a comparison: the disputed fragments, which either side makes at pixels that
-// differ, and the level of detail along a ramp. No verdict depends on it.
-
-// A comparison in which both sides together have at most this many fragments reports all of them.
-constexpr std::size_t kMostOfSmall = 64;
-
-// Fills the result's lists of fragments, in the order of passes and, within a pass, of renderings.
-// Beyond kMostOfSmall they have all fragments at the pixels of disagreements, and at the worst
-// location of each aggregate with differing values. Both renderings must have the size of the
-// rendering that `result` is about.
-void report_fragments(const Rendering& exact, const Rendering& rendered, Result& result);
-
-// Cases with this tag are plotted; for others the band would cost more than the comparison.
-inline constexpr const char* kRampTag = "ramp";
-
-// The level of detail along a ramp: exact, the permitted band, rendered. Takes the fragments of
-// textured draws whose level the renderer reports, in the lowest row that has any, in the order of
-// their pixels; empty without any.
-std::vector<Result::LevelPoint> level_ramp(const Scene& scene, const ResolvedPolicy& policy,
-                                           const Rendering& rendered, const RendererFacts& facts);
 
 }  // namespace edgecase

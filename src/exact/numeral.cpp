@@ -85,8 +85,6 @@ bool is_whole(std::string_view digits) {
   return !digits.empty() && (digits.size() == 1 || digits.front() != '0');
 }
 
-// -------------------------------------------------------------------------------------- decimals
-
 // The decimal's magnitude is whole.fraction, both strings of digits.
 struct Decimal {
   bool negative = false;
@@ -236,8 +234,6 @@ Parsed decimal_to_fixed(std::string_view text, std::string_view shown, bool near
   if (!nearest) return between_multiples(decimal.negative, scaled.floor, shown);
   return with_sign(decimal.negative, scaled.floor + (scaled.nearest_is_above() ? 1 : 0));
 }
-
-// ------------------------------------------------------------------------------------- fractions
 
 // The value of a whole number up to 2^56; nothing if it is larger.
 std::optional<std::int64_t> whole_value(std::string_view digits) {

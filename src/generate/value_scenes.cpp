@@ -33,8 +33,6 @@ std::uint64_t stream_of(const ValueScenes& of) {
          4 * static_cast<std::uint64_t>(mode.interpolation) + (mode.perspective ? 1 : 0);
 }
 
-// ---------------------------------------------------------------------------------------- colours
-
 double power_of_two(std::int64_t exponent) {
   return std::ldexp(1.0, static_cast<int>(exponent));
 }
@@ -81,8 +79,6 @@ void set_colors(RandomSource& random, std::span<Vertex> primitive) {
   }
 }
 
-// -------------------------------------------------------------------------------------- z and w
-
 constexpr std::array<std::int64_t, 6> kOddFactors{1, 1, 1, 3, 5, 7};
 
 // Whether the clip coordinates of a vertex with this w are float32 numbers.
@@ -121,8 +117,6 @@ void set_depths(RandomSource& random, std::span<Vertex> primitive) {
   for (Vertex& vertex : primitive)
     vertex.z = Fixed::from_raw(random.between(-Fixed::kOne + 1, Fixed::kOne - 1));
 }
-
-// ----------------------------------------------------------------------------------------- shapes
 
 // Some are large and have most of the fragments.
 Frame value_frame(RandomSource& random) {

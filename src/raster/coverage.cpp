@@ -7,11 +7,13 @@
 #include "raster/coverage_stages.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/homogeneous_line.h"
+#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/line_areas.h"
 #include "rules/coverage/point_ownership.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
 #include "rules/samples/multisampled_line.h"
+#include "rules/samples/rounded_rectangle.h"
 
 namespace edgecase {
 namespace {

@@ -15,7 +15,9 @@
 #include "raster/attributes.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
+#include "rules/coverage/clip_polygon.h"
 #include "rules/coverage/clip_volume.h"
+#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/triangle_algorithm.h"
 
 namespace edgecase {

@@ -21,6 +21,7 @@
 #include "rules/samples/resolve.h"
 #include "rules/samples/sample_mask.h"
 #include "rules/samples/sample_placement.h"
+#include "rules/samples/shading_rate.h"
 #include "rules/textures/level_of_detail.h"
 #include "rules/textures/level_selection.h"
 #include "rules/textures/mip_chain.h"

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,14 +32,5 @@ std::span<const Chapter> chapters();
 // The text without comment marks; a line that starts with a space belongs to a table, formula or
 // drawing.
 std::string_view essay_of(const Section& section);
-
-// ------------------------------------------------------------------------------- rulings and rules
-//
-// The catalogue as one document: this returns the text of src/rules/RULINGS.md, and a test compares
-// the two.
-
-// Markdown in GitHub's dialect: all rulings in the order of their numbers, then every rule with its
-// section of the specification, its latitude and its alternatives, in the order of all_rules.
-std::string rules_document();
 
 }  // namespace edgecase

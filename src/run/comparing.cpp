@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "diff/compare.h"
+#include "diff/display_data.h"
 #include "diff/findings/patience.h"
 #include "model/side_clipping.h"
 #include "raster/rasterizer.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Of small comparisons all fragments are told, of others those at the pixels that are disputed.
-#include "diff/compare.h"
+#include "diff/display_data.h"
 
 #include <gtest/gtest.h>
 

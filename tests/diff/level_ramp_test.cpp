@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "diff/compare.h"
+#include "diff/display_data.h"
 #include "diff/judge.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/textures/texture_judging.h"

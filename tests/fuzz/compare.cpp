@@ -22,6 +22,7 @@
 
 #include "casefile/loader.h"
 #include "diff/compare.h"
+#include "diff/display_data.h"
 #include "generate/random_scenes.h"
 #include "raster/rasterizer.h"
 #include "recording/recording.h"

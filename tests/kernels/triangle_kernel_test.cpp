@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "kernels/kernels.h"
+#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "tests/kernels/kernel_canvas.h"
 #include "tests/support/share.h"

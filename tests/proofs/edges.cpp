@@ -4,6 +4,7 @@
 // pixels. The sources are included whole, for what is local to them.
 #include "claim.h"
 
+#include "rules/coverage/homogeneous_triangle.cpp"
 #include "rules/coverage/triangle_algorithm.cpp"
 
 using namespace edgecase;

@@ -13,8 +13,8 @@
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
 #include "rules/coverage/homogeneous_line.h"
+#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/point_ownership.h"
-#include "rules/coverage/triangle_algorithm.h"
 #include "tests/support/causes.h"
 #include "tests/support/share.h"
 

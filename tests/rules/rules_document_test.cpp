@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rules/chapters.h"
+#include "rules/rules_document.h"
 
 #include <gtest/gtest.h>
 

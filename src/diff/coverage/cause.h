@@ -3,7 +3,6 @@
 // Cause: which catalogued alternatives would have drawn what the renderer drew.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -49,28 +48,5 @@ std::string swapped_pairs(const CauseQuestion& question, const PrimitiveCoverage
 // The profile's differences from the policy, without those that can be left out, if they draw the
 // primitive as `coverage.drawn` has it; else empty.
 Cause cause_in_profile(const CauseQuestion& question, const PrimitiveCoverage& coverage);
-
-// Common causes: a renderer draws all primitives of a draw in one way. For a broken ruling, an
-// alternative that draws one primitive as it was drawn but not the others is no cause: a hole
-// between two triangles does not come from a tie order that each of them could follow alone.
-//
-// One primitive and what was drawn of it.
-struct DrawnPrimitive {
-  const ScenePrimitive* primitive = nullptr;
-  const PrimitiveCoverage* coverage = nullptr;
-};
-
-// Those of `causes`, which draw question.primitive as in `own`, under which the other primitives,
-// of the same kind, are also drawn as they were. One more alternative may help if it changes
-// nothing of the first primitive. Causes that are no alternatives of coverage stay.
-std::vector<Cause> common_causes(const CauseQuestion& question, const PrimitiveCoverage& own,
-                                 const std::vector<Cause>& causes,
-                                 std::span<const DrawnPrimitive> others);
-
-// Evidence against alternatives: the renderer draws this primitive as exact does, so it does not
-// follow an alternative that would draw it differently. Marks those in `refuted` (see
-// Result::refuted).
-void mark_refuted(const CauseQuestion& question, const PrimitiveCoverage& coverage,
-                  AlternativeSet& refuted);
 
 }  // namespace edgecase

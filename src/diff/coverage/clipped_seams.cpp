@@ -8,10 +8,12 @@
 #include <optional>
 #include <utility>
 
+#include "diff/coverage/facing_latitude.h"
 #include "diff/coverage/seam_hits.h"
 #include "diff/coverage/vertex_latitude.h"
 #include "raster/rasterizer.h"
-#include "rules/coverage/clip_volume.h"
+#include "rules/coverage/clip_polygon.h"
+#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/triangle_fill.h"
 #include "rules/coverage/window.h"
 

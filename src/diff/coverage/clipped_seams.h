@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "diff/coverage/coverage_diff.h"
-#include "diff/coverage/neighbour_faults.h"
+#include "diff/coverage/shared_edge_faults.h"
 #include "model/scene.h"
 
 namespace edgecase {

@@ -11,11 +11,14 @@
 #include <utility>
 
 #include "diff/coverage/cause.h"
+#include "diff/coverage/common_causes.h"
+#include "diff/coverage/joint_faults.h"
 #include "diff/coverage/legality.h"
-#include "diff/coverage/neighbour_faults.h"
+#include "diff/coverage/refutation.h"
 #include "diff/coverage/sample_legality.h"
 #include "diff/coverage/sample_place.h"
 #include "diff/coverage/shared_edge_blame.h"
+#include "diff/coverage/shared_edge_faults.h"
 #include "diff/coverage/size_latitude.h"
 #include "diff/findings/add_disagreement.h"
 #include "diff/findings/patience.h"

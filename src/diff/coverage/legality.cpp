@@ -17,6 +17,7 @@
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/line_algorithm.h"
 #include "rules/coverage/line_latitude.h"
+#include "rules/coverage/loose_segment.h"
 #include "rules/coverage/window.h"
 
 namespace edgecase {

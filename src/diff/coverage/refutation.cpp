@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Refutation: which catalogued alternatives a renderer cannot follow.
+#include "diff/coverage/refutation.h"
 #include "diff/coverage/cause.h"
 
 #include <algorithm>

@@ -9,8 +9,8 @@
 #include "diff/coverage/covered_shape.h"
 #include "exact/numeral.h"
 #include "model/side_clipping.h"
+#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/point_ownership.h"
-#include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
 #include "rules/samples/sample_placement.h"
 

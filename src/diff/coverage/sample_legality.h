@@ -15,12 +15,13 @@
 #include <vector>
 
 #include "diff/coverage/coverage_diff.h"
+#include "diff/coverage/coverage_report.h"
+#include "diff/coverage/facing_latitude.h"
 #include "diff/coverage/legality.h"
 #include "diff/coverage/sample_place.h"
 #include "diff/coverage/size_latitude.h"
-#include "diff/coverage/vertex_latitude.h"
 #include "model/scene.h"
-#include "rules/coverage/clip_volume.h"
+#include "rules/coverage/clip_polygon.h"
 
 namespace edgecase {
 

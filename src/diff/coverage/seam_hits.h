@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "diff/coverage/coverage_diff.h"
-#include "diff/coverage/neighbour_faults.h"
+#include "diff/coverage/shared_edge_faults.h"
 #include "diff/findings/patience.h"
 #include "model/scene.h"
 #include "rules/coverage/window.h"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "diff/coverage/neighbour_faults.h"
+#include "diff/coverage/shared_edge_faults.h"
 #include "model/result.h"
 
 namespace edgecase {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "diff/coverage/coverage_diff.h"
+#include "diff/coverage/situation.h"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "exact/fixed.h"
-#include "rules/coverage/clip_volume.h"
+#include "rules/coverage/clip_polygon.h"
 #include "rules/coverage/diamond_exit.h"
+#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/line_algorithm.h"
-#include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
 
 namespace edgecase {

@@ -10,10 +10,12 @@
 // error where it is larger than the step.
 #pragma once
 
+#include <array>
+
 #include "exact/fixed.h"
 #include "model/scene.h"
-#include "rules/coverage/clip_volume.h"
-#include "rules/coverage/line_latitude.h"
+#include "rules/coverage/clip_polygon.h"
+#include "rules/coverage/loose_segment.h"
 #include "rules/coverage/window.h"
 
 namespace edgecase {
@@ -45,26 +47,5 @@ LooseSegment snapped_segment(const ScenePrimitive& line, Snap snap, const EndErr
 
 // True if two vertices have the same numbers, so that whatever happens to one happens to the other.
 bool is_bit_identical(const Vertex& a, const Vertex& b);
-
-// ------------------------------------------------------------------------------------------ facing
-//
-// Ruling 40: which ways a triangle may face, if moves of its vertices within rulings 4 and 15 can
-// turn it round, or if its area before clipping has another sign than that of its visible part.
-
-// At least one of the two is true.
-struct FacingLatitude {
-  bool may_face_front = true;
-  bool may_face_back = false;
-};
-
-// `bits` as in ruling 4. Points and lines face the front.
-FacingLatitude permitted_facing(const ScenePrimitive& primitive, int bits);
-
-// For a primitive: may it be dropped, may it be drawn, given its draw's culling?
-struct CullingLatitude {
-  bool may_be_culled = false;
-  bool may_be_drawn = true;
-};
-CullingLatitude permitted_culling(const ScenePrimitive& primitive, int bits);
 
 }  // namespace edgecase

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "diff/coverage/vertex_latitude.h"
+#include "diff/coverage/facing_latitude.h"
 #include "diff/values/value_diff.h"
 #include "exact/interval.h"
 #include "model/fragment_operations.h"

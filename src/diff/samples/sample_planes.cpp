@@ -15,7 +15,7 @@
 #include "diff/samples/sample_values.h"
 #include "diff/values/pixel_values.h"
 #include "raster/samples.h"
-#include "rules/samples/attribute_location.h"
+#include "rules/samples/shading_rate.h"
 #include "rules/values/framebuffer.h"
 
 namespace edgecase {

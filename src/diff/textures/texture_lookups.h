@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include "diff/textures/texture_ways.h"
+#include "diff/textures/lookup_kinship.h"
 #include "diff/values/drawn_fragments.h"
 #include "diff/values/value_diff.h"
 #include "raster/texture_stage.h"

@@ -16,6 +16,7 @@
 
 #include "diff/findings/add_disagreement.h"
 #include "diff/findings/patience.h"
+#include "diff/textures/lookup_kinship.h"
 #include "diff/textures/texture_ways.h"
 #include "rules/all_rules.h"
 #include "rules/textures/level_of_detail.h"

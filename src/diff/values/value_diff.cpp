@@ -14,7 +14,7 @@
 #include "model/rendering.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"
-#include "rules/coverage/clip_volume.h"
+#include "rules/coverage/clip_polygon.h"
 #include "rules/output/polygon_offset.h"
 #include "rules/values/inexact_interpolation.h"
 

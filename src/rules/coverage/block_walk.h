@@ -25,7 +25,7 @@
 #include <span>
 #include <vector>
 
-#include "rules/coverage/triangle_algorithm.h"
+#include "rules/coverage/homogeneous_triangle.h"
 
 namespace edgecase {
 

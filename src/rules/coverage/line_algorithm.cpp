@@ -9,7 +9,8 @@
 #include "exact/fixed.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/line_areas.h"
-#include "rules/coverage/triangle_algorithm.h"
+#include "rules/coverage/scan_conversion.h"
+#include "rules/coverage/tested_ends.h"
 
 namespace edgecase {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "rules/coverage/line_latitude.h"
+#include "rules/coverage/loose_segment.h"
 
 namespace edgecase {
 namespace {

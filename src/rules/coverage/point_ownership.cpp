@@ -142,8 +142,6 @@ bool point_possibly_uncovered(const SizedPoint& point, Point sample, Fixed reach
   return 2 * chebyshev_distance(point.vertex, sample) > point.size.raw() - 2 * reach.raw();
 }
 
-// --------------------------------------------------------------- points whose vertex is a quotient
-
 HomogeneousPoint moved(const HomogeneousPoint& vertex, PointOffset offset) {
   return offset == PointOffset::none ? vertex : moved(vertex, 1, -1, 8);
 }

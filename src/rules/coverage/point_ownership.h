@@ -83,14 +83,10 @@ inline bool point_possibly_uncovered(const SizedPoint& point, int x, int y, Fixe
   return point_possibly_uncovered(point, pixel_centre(x, y), reach);
 }
 
-// --------------------------------------------------------------- points whose vertex is a quotient
-//
-// The rule is the same: a pixel's centre inside a square round the vertex. Here the vertex is (x/w,
-// y/w), and every distance is multiplied by w, so that all of them are integers and a centre on the
-// boundary of the square is recognized exactly.
-
-// A point of a size above 0 and at most 64 pixels. The vertex's w is at most 2^35, the result of an
-// offset.
+// A point whose vertex is the quotient (x/w, y/w), of a size above 0 and at most 64 pixels. The w
+// is at most 2^35, the result of an offset. The rule is the same; every distance is multiplied by
+// w, so that all of them are integers and a centre on the boundary of the square is recognized
+// exactly.
 struct HomogeneousSizedPoint {
   HomogeneousPoint vertex;
   Fixed size;

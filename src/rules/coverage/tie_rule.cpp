@@ -69,8 +69,6 @@ std::vector<Alternative> tie_alternatives(std::span<const TieRule> rules, Openne
   return result;
 }
 
-// ---------------------------------------------------------------- the boundary of a line's diamond
-
 namespace {
 
 std::vector<DiamondBoundary> make_boundaries() {

@@ -70,13 +70,11 @@ const TieRule& closed_ties();
 std::vector<Alternative> tie_alternatives(std::span<const TieRule> rules, Openness perturbed,
                                           Openness open_and_closed);
 
-// ---------------------------------------------------------------- the boundary of a line's diamond
+// The boundary of a line's diamond. OpenGL avoids the question: it moves the endpoints by an
+// infinitesimal, so boundaries are never hit (a perturbed tie rule). Direct3D and some courses
+// answer it: some of the diamond's four edges (without their ends) and four corners count as
+// inside, in Direct3D different ones for x-major and for y-major lines.
 //
-// OpenGL avoids the question: it moves the endpoints by an infinitesimal, so boundaries are never
-// hit (a perturbed tie rule). Direct3D and some courses answer it: some of the diamond's four edges
-// (without their ends) and four corners count as inside, in Direct3D different ones for x-major and
-// for y-major lines.
-
 // Parts of the boundary, y up, as bits of a set.
 enum DiamondPart : unsigned {
   kLeftCorner = 1u << 0,

@@ -5,11 +5,13 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
-#include <tuple>
+#include <span>
 
 #include "rules/coverage/segment.h"
 #include "rules/coverage/triangle_fill.h"
+#include "rules/samples/half_planes.h"
 #include "rules/samples/sample_mask.h"
 
 namespace edgecase {
@@ -279,104 +281,6 @@ std::vector<Point> permitted_coordinate_locations(const Multisampling& use, Pixe
                                                   Point sample) {
   if (use.enabled && use.min_sample_shading == 1.0F) return {place_in(pixel, sample)};
   return corners_of_pixel(pixel);
-}
-
-// ------------------------------------------------------------------------------------- half planes
-
-namespace {
-
-// Where two boundaries cross: (x / w, y / w), w > 0. With the bounds of HalfPlane, x and y are at
-// most 2^94 and w 2^63, so the sums below stay under 2^127.
-struct Crossing {
-  Int128 x = 0;
-  Int128 y = 0;
-  Int128 w = 0;
-};
-
-Crossing crossing(const HalfPlane& a, const HalfPlane& b) {
-  const Int128 w = Int128{a.normal_x} * b.normal_y - Int128{a.normal_y} * b.normal_x;
-  const Int128 x = a.limit * b.normal_y - b.limit * a.normal_y;
-  const Int128 y = a.normal_x * b.limit - b.normal_x * a.limit;
-  return w < 0 ? Crossing{-x, -y, -w} : Crossing{x, y, w};
-}
-
-bool holds(const HalfPlane& plane, const Crossing& point) {
-  return plane.normal_x * point.x + plane.normal_y * point.y <= plane.limit * point.w;
-}
-
-std::int64_t floor_of(Int128 above, Int128 below) {
-  const Int128 quotient = above / below;
-  return static_cast<std::int64_t>(quotient * below > above ? quotient - 1 : quotient);
-}
-
-void add_around(std::vector<Point>& points, const Crossing& at) {
-  const std::int64_t x[] = {floor_of(at.x, at.w), -floor_of(-at.x, at.w)};
-  const std::int64_t y[] = {floor_of(at.y, at.w), -floor_of(-at.y, at.w)};
-  for (const std::int64_t i : x)
-    for (const std::int64_t j : y) points.push_back({Fixed::from_raw(i), Fixed::from_raw(j)});
-}
-
-}  // namespace
-
-std::array<HalfPlane, 4> half_planes_of(PixelPosition pixel) {
-  const std::int64_t x = pixel.x * Fixed::kOne;
-  const std::int64_t y = pixel.y * Fixed::kOne;
-  return {{{-1, 0, -x}, {1, 0, x + Fixed::kOne}, {0, -1, -y}, {0, 1, y + Fixed::kOne}}};
-}
-
-std::vector<Point> corners_of(std::span<const HalfPlane> planes) {
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < planes.size(); ++i)
-    for (std::size_t j = i + 1; j < planes.size(); ++j) {
-      const Crossing at = crossing(planes[i], planes[j]);
-      if (at.w == 0) continue;
-      if (std::all_of(planes.begin(), planes.end(),
-                      [&](const HalfPlane& plane) { return holds(plane, at); }))
-        add_around(points, at);
-    }
-  const auto before = [](Point a, Point b) { return std::tie(a.y, a.x) < std::tie(b.y, b.x); };
-  std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
-}
-
-bool runs_per_sample(const Multisampling& use, int samples, ShadingRate choice) {
-  if (!use.enabled || samples == 1) return false;
-  switch (choice) {
-    case ShadingRate::as_needed:
-      return least_invocations(use, samples) > 1;
-    case ShadingRate::per_sample:
-      return true;
-    case ShadingRate::per_pixel:
-      return false;
-  }
-  return false;
-}
-
-Rule shading_rate_rule() {
-  return {
-      RuleId::sample_shading_rate,
-      "The shader runs at least as often for a pixel as the draw asks for",
-      "14.3.1.1 (sample shading)",
-      "more invocations than are asked for, and which samples share one (ruling 34)",
-      "as-needed",
-      alternatives_of<ShadingRate>(),
-      {{34,
-        "A pixel of n samples has at least m = max(ceil(s n), 1) invocations under "
-        "GL_SAMPLE_SHADING with share s, and n where an input is qualified sample. A pixel of "
-        "which a primitive covers only k samples has at least k/n of these, rounded up, and at "
-        "most k. Their coverage masks share no bit, and together contain the covered samples. "
-        "Fewer invocations than requested are a violation, more are not."},
-       {kRulingOnPartlyCovered,
-        "Contested: a pixel of n samples, of which a primitive covers k, has fewer than k m/n "
-        "invocations, rounded up, but at least max(1, m - (n - k)). Here m is the least for a "
-        "whole pixel: max(ceil(s n), 1) under GL_SAMPLE_SHADING with share s, and n where an input "
-        "is qualified sample. 14.3.1.1 asks for m sets of inputs for each fragment; where samples "
-        "share them evenly, k samples have k m/n. But it lets the implementation associate sets "
-        "with samples as it likes, and OpenGL ES 3.2 does, too (13.4.1): samples that are not "
-        "covered may have one each, and those that are covered may share the others. The Khronos "
-        "tests (dEQP-GLES31.functional.sample_shading.min_sample_shading.*) look at whole pixels "
-        "alone."}}};
 }
 
 }  // namespace edgecase

@@ -1,23 +1,5 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the attributes of a multisampled fragment are evaluated, and how often the shader runs.
-#pragma once
-
-#include <array>
-#include <cstdint>
-#include <span>
-#include <string_view>
-#include <vector>
-
-#include "exact/fixed.h"
-#include "model/sampling.h"
-#include "model/scene.h"
-#include "rules/rule.h"
-
-namespace edgecase {
-
-// Essay: Where attributes are evaluated
-//
 // Where in a multisampled pixel attributes are evaluated (GL 4.6 core, 14.3.1 and 14.3.1.1; GLSL
 // 4.60, 4.5).
 //
@@ -26,6 +8,18 @@ namespace edgecase {
 // for a place in the part of the pixel that the primitive covers. `sample` asks for the location of
 // the sample that the invocation runs for. Under GL_SAMPLE_SHADING with a share of 1 every
 // attribute is evaluated at the sample. The depth of a sample is always evaluated at that sample.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "exact/fixed.h"
+#include "model/sampling.h"
+#include "model/scene.h"
+#include "rules/rule.h"
+
+namespace edgecase {
 
 Rule attribute_location_rule();  // attribute.location
 Rule centroid_rule();            // attribute.centroid
@@ -129,50 +123,5 @@ std::vector<Point> permitted_locations(const ScenePrimitive& primitive, PixelPos
 // GL_SAMPLE_SHADING with a share of 1, else the whole pixel.
 std::vector<Point> permitted_coordinate_locations(const Multisampling& use, PixelPosition pixel,
                                                   Point sample);
-
-// Convex regions of the window are intersections of half planes. One half plane, in units of 2^-16
-// pixels: the points with normal_x x + normal_y y <= limit; normals up to 2^31, limits up to 2^62.
-struct HalfPlane {
-  std::int64_t normal_x = 0;
-  std::int64_t normal_y = 0;
-  Int128 limit = 0;
-};
-
-// A pixel, including its boundary.
-std::array<HalfPlane, 4> half_planes_of(PixelPosition pixel);
-
-// The corners of the intersection of half planes, which must be bounded. A corner that is no
-// multiple of 2^-16 is replaced by the multiples around it. Empty if they do not intersect.
-std::vector<Point> corners_of(std::span<const HalfPlane> planes);
-
-// Essay: How often the shader runs
-//
-// How often the fragment shader runs for a pixel of a multisampled target (GL 4.6 core, 14.3.1.1).
-//
-// One invocation for each pixel and primitive is enough, unless the draw asks for more. It asks for
-// more by an input that is qualified `sample`, or by GL_SAMPLE_SHADING. A share s of n samples
-// demands at least max(ceil(s n), 1) different values. Implementations choose which samples share
-// an invocation. They may run more invocations than the draw asks for.
-
-Rule shading_rate_rule();  // sample.shading-rate
-inline constexpr int kRulingOnPartlyCovered = 60;
-
-enum class ShadingRate {
-  as_needed,   // once for the pixel or, if more is requested, once for each covered sample
-  per_sample,  // once for each covered sample, always
-  per_pixel,   // once for the pixel, whatever is requested
-};
-template <>
-inline constexpr auto kNames<ShadingRate> = std::to_array<TabledAlternative<ShadingRate>>(
-    {{ShadingRate::as_needed, "as-needed", Openness::open,
-      "once for each pixel and primitive, or once for each covered sample if the draw asks for "
-      "more "
-      "than one invocation"},
-     {ShadingRate::per_sample, "per-sample", Openness::open, "once for each covered sample"},
-     {ShadingRate::per_pixel, "per-pixel", Openness::illegal,
-      "once for each pixel and primitive, whatever is asked for"}});
-
-// True if the shader runs once for each covered sample; never without multisampling.
-bool runs_per_sample(const Multisampling& use, int samples, ShadingRate choice);
 
 }  // namespace edgecase

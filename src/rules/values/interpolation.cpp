@@ -8,7 +8,7 @@
 
 #include "exact/rational.h"
 #include "model/clipped_line.h"
-#include "rules/coverage/clip_volume.h"
+#include "rules/coverage/clip_polygon.h"
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/values/inexact_interpolation.h"
 #include "rules/values/rational_interpolation.h"

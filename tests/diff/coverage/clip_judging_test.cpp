@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "diff/coverage/vertex_latitude.h"
+#include "diff/coverage/facing_latitude.h"
 #include "raster/rasterizer.h"
 #include "rules/coverage/clip_volume.h"
 #include "tests/diff/output/output_judging.h"

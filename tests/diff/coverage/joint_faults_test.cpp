@@ -2,7 +2,7 @@
 //
 // Which lines of a scene ruling 14 holds against one another: as given, as snapped, across what
 // draws nothing, at borders; and which it leaves alone.
-#include "diff/coverage/neighbour_faults.h"
+#include "diff/coverage/joint_faults.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diff/coverage/cause.h"
+#include "diff/coverage/refutation.h"
 #include "raster/rasterizer.h"
 #include "tests/raster/clipped_scenes.h"
 #include "tests/raster/random_scenes.h"

@@ -2,7 +2,7 @@
 //
 // Which samples on common edges ruling 5 finds fault with, and that looking triangles up by their
 // edges finds what looking at all pairs does.
-#include "diff/coverage/neighbour_faults.h"
+#include "diff/coverage/shared_edge_faults.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "raster/rasterizer.h"
-#include "rules/coverage/triangle_algorithm.h"
+#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/triangle_fill.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/raster/random_scenes.h"

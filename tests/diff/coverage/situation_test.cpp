@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Each phrase for a place on a primitive, by a drawn example.
-#include "diff/coverage/coverage_diff.h"
+#include "diff/coverage/situation.h"
 
 #include <gtest/gtest.h>
 

@@ -14,9 +14,11 @@
 
 #include "diff/compare.h"
 #include "diff/coverage/coverage_diff.h"
+#include "diff/coverage/coverage_report.h"
 #include "diff/coverage/legality.h"
-#include "diff/coverage/neighbour_faults.h"
 #include "diff/coverage/sample_legality.h"
+#include "diff/coverage/shared_edge_faults.h"
+#include "diff/coverage/situation.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/named_scenes.h"
 #include "tests/support/judging.h"

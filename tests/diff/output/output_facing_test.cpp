@@ -4,7 +4,7 @@
 // so thin that they may face either way.
 #include <gtest/gtest.h>
 
-#include "diff/coverage/vertex_latitude.h"
+#include "diff/coverage/facing_latitude.h"
 #include "raster/rasterizer.h"
 #include "tests/diff/output/output_judging.h"
 #include "tests/raster/operation_scenes.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "diff/compare.h"
+#include "diff/display_data.h"
 #include "diff/textures/texture_lookups.h"
 #include "raster/rasterizer.h"
 #include "rules/textures/texture_image.h"

@@ -2,7 +2,7 @@
 //
 // What a clipped triangle may cover: of three vertices and far from the viewport's sides the same
 // as a triangle; of more, the same as all moves of its vertices on a small grid.
-#include "rules/coverage/clip_volume.h"
+#include "rules/coverage/clip_polygon.h"
 
 #include <gtest/gtest.h>
 

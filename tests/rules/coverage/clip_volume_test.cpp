@@ -2,6 +2,7 @@
 //
 // Clipped triangles, without clipping: against the literal solution in fractions.
 #include "rules/coverage/clip_volume.h"
+#include "rules/coverage/clip_polygon.h"
 
 #include <gtest/gtest.h>
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "rules/coverage/clip_polygon.h"
 #include "rules/coverage/clip_volume.h"
 #include "rules/values/interpolation.h"
 #include "tests/support/points.h"

@@ -3,6 +3,7 @@
 // Lines whose ends are known to within a reach: whatever the ends really are, what the rule draws
 // of them lies between the certain and the possible fragments, and no ruling on lines convicts it.
 #include "rules/coverage/line_latitude.h"
+#include "rules/coverage/loose_segment.h"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 //
 // Walking the edges of a triangle finds exactly the pixels that the plain predicates cover: of all
 // triangles of a small grid, and of random ones as far out as coordinates go.
+#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/triangle_algorithm.h"
 
 #include <gtest/gtest.h>

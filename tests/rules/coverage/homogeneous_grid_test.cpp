@@ -9,8 +9,8 @@
 
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/homogeneous_line.h"
+#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/point_ownership.h"
-#include "rules/coverage/triangle_algorithm.h"
 
 namespace edgecase {
 namespace {

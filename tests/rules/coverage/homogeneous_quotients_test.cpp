@@ -8,8 +8,8 @@
 #include <set>
 
 #include "rules/coverage/homogeneous_line.h"
+#include "rules/coverage/homogeneous_triangle.h"
 #include "rules/coverage/point_ownership.h"
-#include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/window.h"
 #include "tests/oracles/quotients.h"
 #include "tests/support/share.h"

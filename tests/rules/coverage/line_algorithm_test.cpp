@@ -11,7 +11,7 @@
 #include "rules/all_rules.h"
 #include "rules/coverage/diamond_exit.h"
 #include "rules/coverage/line_areas.h"
-#include "rules/coverage/triangle_algorithm.h"
+#include "rules/coverage/scan_conversion.h"
 #include "tests/support/points.h"
 
 namespace edgecase {

@@ -3,6 +3,7 @@
 // Parallelograms with tested ends: against the same written down for either axis in the machine's
 // own float32, and drawn examples.
 #include "rules/coverage/line_areas.h"
+#include "rules/coverage/tested_ends.h"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,8 @@
 //
 // Scan conversion and edge functions in single precision against the same algorithms written with
 // the processor's.
+#include "rules/coverage/homogeneous_triangle.h"
+#include "rules/coverage/scan_conversion.h"
 #include "rules/coverage/triangle_algorithm.h"
 
 #include <gmock/gmock.h>

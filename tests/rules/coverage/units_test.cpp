@@ -5,6 +5,7 @@
 
 #include "rules/all_rules.h"
 #include "rules/coverage/point_ownership.h"
+#include "rules/coverage/scan_conversion.h"
 #include "rules/coverage/triangle_algorithm.h"
 #include "rules/coverage/triangle_fill.h"
 #include "rules/coverage/window.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rules/samples/attribute_location.h"
+#include "rules/samples/half_planes.h"
 
 #include <gtest/gtest.h>
 

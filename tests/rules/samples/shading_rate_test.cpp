@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // How often the shader runs, and the samples that it may write.
-#include "rules/samples/attribute_location.h"
+#include "rules/samples/shading_rate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Rounded corners of multisampled lines: drawings, and comparisons of squares in place of roots.
-#include "rules/samples/multisampled_line.h"
+#include "rules/samples/rounded_rectangle.h"
 
 #include <gtest/gtest.h>
 

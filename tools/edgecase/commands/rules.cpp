@@ -13,6 +13,7 @@
 
 #include "rules/all_rules.h"
 #include "rules/chapters.h"
+#include "rules/rules_document.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/options.h"

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "diff/drawing_compare.h"
+#include "diff/accumulated_image.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <span>
 #include <string>
 #include <utility>
@@ -21,6 +23,7 @@
 #include "raster/samples.h"
 #include "rules/all_rules.h"
 #include "rules/choices.h"
+#include "rules/rule.h"
 #include "rules/values/framebuffer.h"
 
 namespace edgecase {

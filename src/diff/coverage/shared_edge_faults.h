@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Rulings that two primitives of a scene break together, though each of them alone may satisfy
-// every other ruling: ruling 14 for connected lines, ruling 5 for triangles with a common edge.
+// Ruling 5, which two triangles with a common edge can break together, though each of them alone
+// may satisfy every other ruling.
+//
+// Triangles are looked up by their directed edges: the work grows with the triangles and their
+// common edges, not with all pairs.
 #pragma once
 
 #include <cstddef>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,23 +16,6 @@
 #include "model/scene.h"
 
 namespace edgecase {
-
-struct JointFault {
-  int first = 0;  // primitive indices
-  int second = 0;
-  std::string clause;                      // which the segments as given break, or empty
-  std::vector<std::string> illegal_snaps;  // catalogued snaps under which they break a clause
-};
-
-// Every pair of lines of width 1 that ruling 14 applies to and that breaks it under some snap.
-std::vector<JointFault> joint_faults(std::span<const ScenePrimitive> primitives,
-                                     std::span<const PrimitiveCoverage> coverage,
-                                     const Scene& scene);
-
-// ------------------------------------------------------------------------------------ shared edges
-//
-// Only triangles with a common edge can break ruling 5, so triangles are looked up by their
-// directed edges: the work grows with the triangles and their common edges, not with all pairs.
 
 // A sample that two triangles with a common edge must hit exactly once but do not.
 struct SharedEdgeFault {
