@@ -21,7 +21,7 @@
 #include "model/renderer.h"
 #include "model/rendering.h"
 #include "rules/rule_answers.h"
-#include "run/case_store.h"
+#include "suite/case_store.h"
 
 namespace edgecase {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "results/results.h"
-#include "run/selection.h"
+#include "suite/selection.h"
 
 namespace edgecase {
 

@@ -14,8 +14,8 @@
 #include "model/renderer.h"
 #include "model/threads.h"
 #include "recording/recording.h"
-#include "run/case_store.h"
 #include "run/renderers.h"
+#include "suite/case_store.h"
 #include "wire/request_line.h"
 
 namespace edgecase {

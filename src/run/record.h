@@ -18,7 +18,7 @@
 #include "model/renderer.h"
 #include "recording/recording.h"
 #include "run/renderers.h"
-#include "run/selection.h"
+#include "suite/selection.h"
 
 namespace edgecase {
 

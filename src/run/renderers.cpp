@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "casefile/json/text.h"
+#include "processes/process_renderer.h"
+#include "processes/shader_cache.h"
 #include "raster/rasterizer.h"
-#include "run/process_renderer.h"
 #include "run/record.h"
-#include "run/shader_cache.h"
 
 namespace edgecase {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "model/policy.h"
 #include "model/renderer.h"
-#include "run/process_renderer.h"
+#include "processes/process_renderer.h"
 
 namespace edgecase {
 

@@ -11,7 +11,7 @@
 
 #include "results/results.h"
 #include "run/run.h"
-#include "run/selection.h"
+#include "suite/selection.h"
 
 namespace edgecase {
 

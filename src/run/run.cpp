@@ -20,14 +20,14 @@
 #include "model/threads.h"
 #include "results/standing.h"
 #include "run/answer_digest.h"
-#include "run/case_store.h"
 #include "run/comparing.h"
 #include "run/earlier_answers.h"
-#include "run/expectation_check.h"
 #include "run/invariant_renderer.h"
 #include "run/judging.h"
 #include "run/renderers.h"
 #include "run/share_queue.h"
+#include "suite/case_store.h"
+#include "suite/expectation_check.h"
 
 namespace edgecase {
 namespace {

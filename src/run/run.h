@@ -21,7 +21,7 @@
 #include "results/results.h"
 #include "run/profiles.h"
 #include "run/renderers.h"
-#include "run/selection.h"
+#include "suite/selection.h"
 
 namespace edgecase {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "run/case_store.h"
+#include "suite/case_store.h"
 
 namespace edgecase {
 

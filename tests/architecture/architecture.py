@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 SRC = {"exact", "model", "rules", "kernels", "raster", "casefile", "wire", "recording", "image",
-       "diff", "results", "run", "generate", "profile", "search"}
+       "diff", "results", "processes", "suite", "run", "generate", "profile", "search"}
 
 # module -> modules that it may include, besides itself.
 ALLOWED = {
@@ -28,6 +28,8 @@ ALLOWED = {
     "image": {"model", "exact"},
     "diff": {"raster", "rules", "model", "exact"},
     "results": {"wire", "rules", "model"},
+    "processes": {"casefile", "wire", "model", "exact"},
+    "suite": {"casefile", "results", "raster", "rules", "wire", "model", "exact"},
     "run": SRC - {"generate", "profile", "search"},
     "generate": {"casefile", "model", "exact"},
     "profile": SRC,

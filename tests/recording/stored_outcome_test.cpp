@@ -11,7 +11,7 @@
 #include "model/policy.h"
 #include "raster/rasterizer.h"
 #include "recording/block.h"
-#include "run/selection.h"
+#include "suite/selection.h"
 #include "wire/rendering_json.h"
 
 namespace edgecase::recording {

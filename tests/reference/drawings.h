@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "run/process_renderer.h"
+#include "processes/process_renderer.h"
 
 namespace edgecase {
 

@@ -20,7 +20,7 @@
 #include "diff/judge.h"
 #include "model/rendering_fields.h"
 #include "raster/rasterizer.h"
-#include "run/selection.h"
+#include "suite/selection.h"
 #include "tests/support/core_suite.h"
 #include "tests/support/share.h"
 #include "wire/fragments.h"

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "run/selection.h"
+#include "suite/selection.h"
 
 namespace edgecase {
 

@@ -23,7 +23,7 @@
 #include "rules/all_rules.h"
 #include "run/record.h"
 #include "run/renderers.h"
-#include "run/sharding.h"
+#include "suite/sharding.h"
 #include "tools/edgecase/default_suite.h"
 #include "tools/edgecase/output/whole_file.h"
 

@@ -14,7 +14,7 @@
 
 #include "model/policy.h"
 #include "run/profiles.h"
-#include "run/selection.h"
+#include "suite/selection.h"
 
 namespace edgecase {
 
@@ -38,7 +38,7 @@ void add_repeatable(CLI::App& command, const std::string& name, std::vector<std:
                     const std::string& description);
 
 // The selection of words, which are paths, ids of the default suite, or globs of ids
-// (run/selection.h). Without words, the default suite.
+// (suite/selection.h). Without words, the default suite.
 Selection select_cases(const std::vector<std::string>& words);
 
 // "there is no rule "line.snab"; did you mean "line.snap"? `edgecase rules` prints all".

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "run/shader_cache.h"
+#include "processes/shader_cache.h"
 
 namespace edgecase {
 namespace {

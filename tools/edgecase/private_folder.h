@@ -12,9 +12,9 @@
 
 namespace edgecase {
 
-// The folder edgecase/NAME in the user's folder for caches (run/shader_cache.h), made if it is
-// missing: mode 0700, of the effective user. Otherwise a sentence that says why there is none, and
-// what to do. `name`: one name, without a slash.
+// The folder edgecase/NAME in the user's folder for caches (processes/shader_cache.h), made if it
+// is missing: mode 0700, of the effective user. Otherwise a sentence that says why there is none,
+// and what to do. `name`: one name, without a slash.
 std::variant<std::filesystem::path, std::string> private_folder(const std::string& name);
 
 // What a file in such a folder holds. Nothing where it is missing, is no regular file, belongs to

@@ -12,7 +12,7 @@
 #include "results/results.h"
 #include "run/merge.h"
 #include "run/run.h"
-#include "run/selection.h"
+#include "suite/selection.h"
 #include "tools/edgecase/exit_code.h"
 #include "tools/edgecase/options.h"
 #include "tools/edgecase/project.h"

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "run/selection.h"
+#include "suite/selection.h"
 
 namespace edgecase {
 

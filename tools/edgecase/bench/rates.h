@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "run/selection.h"
+#include "suite/selection.h"
 #include "tools/edgecase/bench/report.h"
 
 namespace edgecase {

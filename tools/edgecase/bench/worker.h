@@ -8,7 +8,7 @@
 #include <string>
 #include <variant>
 
-#include "run/child_process.h"
+#include "processes/child_process.h"
 #include "wire/message.h"
 
 namespace edgecase {

@@ -8,8 +8,8 @@
 #include <memory>
 #include <utility>
 
+#include "processes/process_renderer.h"
 #include "reports/text.h"
-#include "run/process_renderer.h"
 #include "run/renderers.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/interrupt.h"

@@ -13,7 +13,7 @@
 #include "reports/alternatives_svg.h"
 #include "reports/difference_svg.h"
 #include "rules/all_rules.h"
-#include "run/expectation_check.h"
+#include "suite/expectation_check.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/options.h"
 #include "tools/edgecase/output/distinct_files.h"

@@ -11,7 +11,7 @@
 #include "reports/text.h"
 #include "results/worst_first.h"
 #include "rules/all_rules.h"
-#include "run/expectation_check.h"
+#include "suite/expectation_check.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/output/block_walks.h"
 #include "tools/edgecase/output/distinct_files.h"

@@ -12,8 +12,8 @@
 
 #include "model/text.h"
 #include "reports/text.h"
-#include "run/core_suite.h"
-#include "run/separation.h"
+#include "suite/core_suite.h"
+#include "suite/separation.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/options.h"
 #include "tools/edgecase/output/report_files.h"

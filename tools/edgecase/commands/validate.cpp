@@ -14,8 +14,8 @@
 #include "raster/rasterizer.h"
 #include "reports/text.h"
 #include "rules/all_rules.h"
-#include "run/expectation_check.h"
-#include "run/selection.h"
+#include "suite/expectation_check.h"
+#include "suite/selection.h"
 #include "tools/edgecase/commands/commands.h"
 #include "tools/edgecase/options.h"
 

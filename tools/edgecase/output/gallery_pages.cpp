@@ -10,8 +10,8 @@
 #include "casefile/loader.h"
 #include "casefile/policy_reader.h"
 #include "rules/all_rules.h"
-#include "run/expectation_check.h"
-#include "run/policy_contrast.h"
+#include "suite/expectation_check.h"
+#include "suite/policy_contrast.h"
 #include "tools/edgecase/options.h"
 
 namespace edgecase {

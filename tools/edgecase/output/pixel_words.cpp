@@ -7,7 +7,7 @@
 
 #include "diff/compare.h"
 #include "raster/rasterizer.h"
-#include "run/expectation_check.h"
+#include "suite/expectation_check.h"
 
 namespace edgecase {
 namespace {

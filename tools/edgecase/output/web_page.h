@@ -7,7 +7,7 @@
 #include <string>
 
 #include "model/case.h"
-#include "run/case_store.h"
+#include "suite/case_store.h"
 
 namespace edgecase {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "model/names.h"
-#include "run/child_process.h"
+#include "processes/child_process.h"
 #include "tools/edgecase/protocol/pictures.h"
 
 namespace edgecase {

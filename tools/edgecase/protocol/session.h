@@ -13,7 +13,7 @@
 #include <string>
 
 #include "model/renderer.h"
-#include "run/child_process.h"
+#include "processes/child_process.h"
 
 namespace edgecase {
 
