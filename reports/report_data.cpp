@@ -8,8 +8,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/threads.h"
 #include "model/text.h"
-#include "model/threads.h"
 #include "reports/base64.h"
 #include "reports/case_details.h"
 #include "reports/report_index.h"

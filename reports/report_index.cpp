@@ -13,7 +13,7 @@
 #include <tuple>
 #include <utility>
 
-#include "model/threads.h"
+#include "base/threads.h"
 #include "reports/case_details.h"
 #include "reports/text.h"
 #include "reports/verdict_looks.h"

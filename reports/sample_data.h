@@ -10,7 +10,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "model/storage.h"
+#include "model/sample_image.h"
 
 namespace edgecase {
 

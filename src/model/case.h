@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "base/shared.h"
 #include "model/scene.h"
-#include "model/storage.h"
 
 namespace edgecase {
 

@@ -16,10 +16,12 @@
 #include <string>
 #include <vector>
 
+#include "base/packed_words.h"
+#include "base/shared.h"
 #include "model/names.h"
 #include "model/place_cells.h"
 #include "model/renderer.h"
-#include "model/storage.h"
+#include "model/sample_image.h"
 #include "model/verdict.h"
 
 namespace edgecase {

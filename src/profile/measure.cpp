@@ -13,9 +13,9 @@
 #include <utility>
 #include <variant>
 
+#include "base/threads.h"
 #include "diff/compare.h"
 #include "model/side_clipping.h"
-#include "model/threads.h"
 #include "profile/profile.h"
 #include "raster/rasterizer.h"
 #include "rules/all_rules.h"

@@ -14,10 +14,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/packed_words.h"
+#include "base/shared.h"
 #include "model/figure.h"
 #include "model/result.h"
+#include "model/sample_image.h"
 #include "model/scene.h"
-#include "model/storage.h"
 #include "results/shelf.h"
 
 namespace edgecase {
@@ -153,7 +155,7 @@ class CaseList {
     std::erase_if(cases_, [&](const ShelvedCase& one) { return is_unwanted(one.outline); });
   }
 
-  // The approximate memory of a case that is read, bytes: for make_in_order (model/threads.h).
+  // The approximate memory of a case that is read, bytes: for make_in_order (base/threads.h).
   std::size_t bytes(std::size_t index) const { return cases_[index].bytes(); }
   // The outlines of all, in their order.
   struct Outlines {

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "model/threads.h"
+#include "base/threads.h"
 #include "results/cluster_entries.h"
 #include "rules/all_rules.h"
 #include "rules/hypotheses.h"

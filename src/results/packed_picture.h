@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/storage.h"
+#include "base/packed_words.h"
 
 namespace edgecase {
 

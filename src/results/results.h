@@ -18,7 +18,6 @@
 #include "model/policy.h"
 #include "model/renderer.h"
 #include "model/result.h"
-#include "model/storage.h"
 #include "results/case_list.h"
 #include "rules/portrait.h"
 #include "rules/rule_answers.h"

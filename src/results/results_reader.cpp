@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "model/threads.h"
+#include "base/threads.h"
 #include "results/case_results_json.h"
 #include "results/packed_text.h"
 #include "results/results_json.h"

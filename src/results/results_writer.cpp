@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "model/threads.h"
+#include "base/threads.h"
 #include "results/case_results_json.h"
 #include "results/clusters.h"
 #include "results/packed_text.h"

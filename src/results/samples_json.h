@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "model/result.h"
-#include "model/storage.h"
+#include "model/sample_image.h"
 #include "results/json_writer.h"
 #include "results/shallow_json.h"
 

@@ -8,8 +8,8 @@
 #include <set>
 #include <vector>
 
+#include "base/threads.h"
 #include "model/text.h"
-#include "model/threads.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

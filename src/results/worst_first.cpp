@@ -8,7 +8,7 @@
 #include <string>
 #include <tuple>
 
-#include "model/threads.h"
+#include "base/threads.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

@@ -12,9 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "base/packed_words.h"
+#include "base/shared.h"
 #include "diff/compare.h"
 #include "model/renderer.h"
-#include "model/storage.h"
+#include "model/sample_image.h"
 #include "run/run.h"
 
 namespace edgecase {

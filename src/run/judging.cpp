@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "base/threads.h"
 #include "diff/coverage/legality.h"
-#include "model/threads.h"
 #include "results/standing.h"
 
 namespace edgecase {

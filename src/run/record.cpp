@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/threads.h"
 #include "model/renderer.h"
-#include "model/threads.h"
 #include "recording/recording.h"
 #include "run/renderers.h"
 #include "suite/case_store.h"

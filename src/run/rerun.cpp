@@ -10,9 +10,9 @@
 #include <variant>
 #include <vector>
 
+#include "base/threads.h"
 #include "diff/findings/patience.h"
 #include "diff/judge.h"
-#include "model/threads.h"
 #include "run/comparing.h"
 #include "run/invariant_renderer.h"
 #include "run/judging.h"

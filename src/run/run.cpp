@@ -16,8 +16,8 @@
 #include <utility>
 #include <variant>
 
+#include "base/threads.h"
 #include "diff/findings/patience.h"
-#include "model/threads.h"
 #include "results/standing.h"
 #include "run/answer_digest.h"
 #include "run/comparing.h"

@@ -6,8 +6,8 @@
 #include <mutex>
 #include <utility>
 
+#include "base/threads.h"
 #include "diff/compare.h"
-#include "model/threads.h"
 #include "search/ledger.h"
 #include "search/trial.h"
 

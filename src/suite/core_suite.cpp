@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "model/threads.h"
+#include "base/threads.h"
 #include "rules/all_rules.h"
 #include "suite/separation.h"
 

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/threads.h"
 #include "casefile/loader.h"
 #include "model/text.h"
-#include "model/threads.h"
 #include "rules/all_rules.h"
 #include "suite/selection.h"
 #include "suite/sharding.h"

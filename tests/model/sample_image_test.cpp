@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/storage.h"
+#include "model/sample_image.h"
 
 #include <gtest/gtest.h>
 

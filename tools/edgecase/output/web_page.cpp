@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "model/threads.h"
+#include "base/threads.h"
 #include "raster/rasterizer.h"
 #include "reports/base64.h"
 #include "reports/page.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/threads.h"
+#include "base/threads.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/storage.h"
+#include "base/packed_words.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -85,20 +85,6 @@ void WordRuns::read() {
   const bool has_runs = kept.size() != words_.size_;
   left_ = has_runs ? kept[at_++] : 1;
   word_ = kept[at_++];
-}
-
-SampleImage sample_image(const Rendering& rendering) {
-  SampleImage image;
-  if (rendering.samples <= 1) return image;
-  image.samples = rendering.samples;
-  image.positions = rendering.sample_positions;
-  image.pixels = rendering.sample_pixels;
-  image.hits = rendering.hits;
-  std::vector<std::uint32_t> coverage(rendering.pixel_index(0, rendering.height));
-  for (const Fragment& fragment : rendering.fragments)
-    coverage[rendering.pixel_index(fragment.x, fragment.y)] |= fragment.coverage;
-  image.coverage = coverage;
-  return image;
 }
 
 }  // namespace edgecase

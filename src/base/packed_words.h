@@ -1,56 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Compact storage of shared or large data: texts, pictures and images of samples.
+// PackedWords: a list of 32-bit words, such as the pixels of a picture. Runs of equal neighbours
+// are stored as length and word if that is shorter than all words.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "model/rendering.h"
-#include "model/sampling.h"
-
 namespace edgecase {
 
-// Shared: an immutable value with many owners. Each of a sweep's thousands of cases has its file's
-// text, and nearly every renderer draws exactly what exact draws.
-template <class Value>
-class Shared {
- public:
-  Shared() = default;
-  template <std::convertible_to<Value> From>
-  Shared(From&& value)  // NOLINT: a value is one
-      : value_(std::make_shared<const Value>(std::forward<From>(value))) {}
-
-  const Value& operator*() const {
-    static const Value none{};
-    return value_ ? *value_ : none;
-  }
-  const Value* operator->() const { return &**this; }
-
-  // If both are equal, they share one object in memory from here on.
-  void share_with(const Shared& other) {
-    if (*this == other) value_ = other.value_;
-  }
-
-  // Whether they share one object in memory. A cheap test: true means equal, false means unknown.
-  friend bool is_same_object(const Shared& a, const Shared& b) { return a.value_ == b.value_; }
-  friend bool operator==(const Shared& a, const Shared& b) {
-    return is_same_object(a, b) || *a == *b;
-  }
-
- private:
-  std::shared_ptr<const Value> value_;
-};
-
-using SharedText = Shared<std::string>;
-
-// PackedWords: a list of 32-bit words, such as the pixels of a picture. Runs of equal neighbours
-// are stored as length and word if that is shorter than all words.
 class PackedWords {
  public:
   PackedWords() = default;
@@ -125,29 +85,5 @@ class WordRuns {
   std::uint32_t word_ = 0;
   std::size_t left_ = 0;
 };
-
-// SampleImage: the samples of a multisampled image, for display.
-
-// Whatever was not reported is empty.
-struct SampleImage {
-  int samples = 1;            // per pixel; 1: not multisampled, and all else is empty
-  SamplePositions positions;  // one per sample
-  // RGBA8 before it is resolved: one plane per sample, row by row from the bottom.
-  Shared<PackedWords> pixels;
-  // The number of fragments written to each sample: planes as above.
-  Shared<PackedWords> hits;
-  // Per pixel: bit s is set if some fragment covers sample s (Fragment::coverage).
-  Shared<PackedWords> coverage;
-
-  // Equal parts share one object in memory from here on.
-  void share_with(const SampleImage& other) {
-    pixels.share_with(other.pixels);
-    hits.share_with(other.hits);
-    coverage.share_with(other.coverage);
-  }
-  friend bool operator==(const SampleImage&, const SampleImage&) = default;
-};
-
-SampleImage sample_image(const Rendering& rendering);
 
 }  // namespace edgecase

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/storage.h"
+#include "base/shared.h"
 
 #include <gtest/gtest.h>
 
