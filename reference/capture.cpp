@@ -43,6 +43,7 @@ struct TexturedRecord : DetailedRecord {
 };
 static_assert(sizeof(TexturedRecord) == 160);
 
+constexpr std::size_t kBytesOfWord = sizeof(std::uint32_t);
 constexpr std::size_t kHeaderSize = 32;
 constexpr std::uint32_t kFirstCapacity = 4096;
 // 16.8 million fragments of 32 bytes: a 4096 x 4096 target covered once.
@@ -138,8 +139,8 @@ void append(const AnyRecord& record, Details asked, Rendering& rendering) {
 
 template <class AnyRecord>
 void append_words(std::span<const std::uint32_t> words, Details asked, Rendering& rendering) {
-  AnyRecord record;
-  std::memcpy(&record, words.data(), sizeof(record));
+  AnyRecord record{};
+  std::memcpy(&record, words.data(), std::min(words.size_bytes(), sizeof(record)));
   append(record, asked, rendering);
 }
 
@@ -158,7 +159,22 @@ std::size_t size_of(Capture::Form form) {
 }  // namespace
 
 std::size_t words_of(Capture::Form form) {
-  return size_of(form) / sizeof(std::uint32_t);
+  return size_of(form) / kBytesOfWord;
+}
+
+std::vector<WordRange> detail_words(Capture::Form form, Details asked) {
+  std::vector<WordRange> ranges;
+  std::size_t first = words_of(Capture::Form::plain);
+  const auto pass = [&](std::size_t bytes, bool is_asked) {
+    const std::size_t end = first + bytes / kBytesOfWord;
+    if (is_asked) ranges.push_back({first, end});
+    first = end;
+  };
+  if (form == Capture::Form::plain) return ranges;
+  pass(sizeof(DetailedRecord::coordinates), asked.coordinates);
+  pass(sizeof(DetailedRecord::derivatives), asked.derivatives);
+  if (form == Capture::Form::textured) pass(sizeof(TexturedRecord) - sizeof(DetailedRecord), true);
+  return ranges;
 }
 
 void append_record(Capture::Form form, std::span<const std::uint32_t> words, Details asked,

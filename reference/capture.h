@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "model/rendering.h"
 #include "model/scene.h"
@@ -60,11 +61,22 @@ class Capture {
   bool lost_ = false;
 };
 
-// The number of words of a record, of 32 bits each.
-std::size_t words_of(Capture::Form form);
+// A record in words of 32 bits. The first two are the pixel's column and row.
+constexpr std::size_t kPixelWords = 2;
 
-// Appends the fragment of a record, words_of(form) words in its order, to a rendering with a known
-// number of samples; `asked` as in Capture::read.
+struct WordRange {
+  std::size_t first;
+  std::size_t end;
+};
+
+// The number of words of a record.
+std::size_t words_of(Capture::Form form);
+// The words of a record that report what is `asked` for beside depth and colour, in its order.
+std::vector<WordRange> detail_words(Capture::Form form, Details asked);
+
+// Appends the fragment of a record to a rendering with a known number of samples; `asked` as in
+// Capture::read. `words` are those of the record from its first one on, and any that are missing
+// are zeros.
 void append_record(Capture::Form form, std::span<const std::uint32_t> words, Details asked,
                    Rendering& rendering);
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <limits>
 
@@ -17,30 +16,19 @@ namespace {
 constexpr int kBytesOfPart = 3;
 constexpr int kBytesOfWord = 4;
 
-// Words of the shader's array.
-constexpr int kPrimitiveWord = 0;
-constexpr int kPlainWords = 6;  // primitive, depth, colour
-constexpr int kCoordinates = 6;
-constexpr int kDerivativeWords = 10;
-constexpr int kTextureWords = 34;
-constexpr int kSamplesWord = 38;
-constexpr std::size_t kMostWords = 39;
-
-struct WordRange {
-  int first;
-  int end;
-};
+// Words of the shader's array: those of the largest record, and gl_SampleMaskIn.
+constexpr std::size_t kPrimitiveWord = 0;
+std::size_t samples_word() {
+  return words_of(Capture::Form::textured) - kPixelWords;
+}
 
 // The words that a scene requests, without those of which nothing is reported.
 std::vector<WordRange> requested_words(const Scene& scene, Capture::Form form, bool coverage_only) {
   if (coverage_only) return {{kPrimitiveWord, kPrimitiveWord + 1}};
-  std::vector<WordRange> ranges = {{0, kPlainWords}};
-  if (form != Capture::Form::plain) {
-    if (scene.details.coordinates) ranges.push_back({kCoordinates, kDerivativeWords});
-    if (scene.details.derivatives) ranges.push_back({kDerivativeWords, kTextureWords});
-  }
-  if (form == Capture::Form::textured) ranges.push_back({kTextureWords, kSamplesWord});
-  if (scene.target.samples > 1) ranges.push_back({kSamplesWord, kSamplesWord + 1});
+  std::vector<WordRange> ranges = {{0, words_of(Capture::Form::plain) - kPixelWords}};
+  for (const auto& [first, end] : detail_words(form, scene.details))
+    ranges.push_back({first - kPixelWords, end - kPixelWords});
+  if (scene.target.samples > 1) ranges.push_back({samples_word(), samples_word() + 1});
   return ranges;
 }
 
@@ -61,9 +49,10 @@ void WordCapture::begin(const Scene& scene, Capture::Form form, bool coverage_on
   multisampled_ = rendering.samples > 1;
   parts_.clear();
   for (const auto& [first, end] : requested_words(scene, form, coverage_only)) {
-    stride_ = static_cast<std::size_t>(end);
-    for (int part = first * kBytesOfWord / kBytesOfPart; part * kBytesOfPart < end * kBytesOfWord;
-         ++part)
+    stride_ = end;
+    const int bytes = static_cast<int>(end) * kBytesOfWord;
+    for (int part = static_cast<int>(first) * kBytesOfWord / kBytesOfPart;
+         part * kBytesOfPart < bytes; ++part)
       if (parts_.empty() || parts_.back() < part) parts_.push_back(part);
   }
   const std::size_t area = rendering.pixel_index(0, height_);
@@ -136,20 +125,19 @@ void WordCapture::append(std::size_t site, Rendering& rendering) const {
   const std::size_t pixel = pixel_of(sites_[site]);
   const auto width = static_cast<std::size_t>(width_);
   const std::span<const std::uint32_t> words = words_at(site);
-  // x, y and the words of the shader.
-  std::array<std::uint32_t, 2 + kMostWords> record{};
+  std::vector<std::uint32_t> record(kPixelWords + words.size());
   record[0] = static_cast<std::uint32_t>(pixel % width);
-  if (multisampled_) record[0] |= words[kSamplesWord] << 16;
+  if (multisampled_) record[0] |= words[samples_word()] << 16;
   record[1] = static_cast<std::uint32_t>(pixel / width);
-  std::copy(words.begin(), words.end(), record.begin() + 2);
-  append_record(form_, std::span(record).first(words_of(form_)), asked_, rendering);
+  std::ranges::copy(words, record.begin() + kPixelWords);
+  append_record(form_, record, asked_, rendering);
 }
 
 // Of the sites from `first` on, which belong to one pixel: those of one invocation are equal.
 void WordCapture::append_samples(std::size_t first, std::size_t end, Rendering& rendering) {
   for (std::size_t site = first; site < end; ++site) {
     std::size_t same = first;
-    while (words_at(same)[kSamplesWord] != words_at(site)[kSamplesWord]) ++same;
+    while (words_at(same)[samples_word()] != words_at(site)[samples_word()]) ++same;
     if (same == site)
       append(site, rendering);
     else if (!std::ranges::equal(words_at(same), words_at(site)) && doubt_.empty())

@@ -41,6 +41,14 @@ inline constexpr auto kFields<FragmentDetail> = std::tuple{
     detail_field("level_of_detail", &FragmentDetail::level_of_detail, &Details::texture)
         .of_textures()};
 
+// Whether fragments of a draw may report any of them.
+inline bool is_any_asked(Details details, bool is_textured) {
+  bool any = false;
+  for_each_field<FragmentDetail>(
+      [&](const auto& field) { any = any || field.is_asked(details, is_textured); });
+  return any;
+}
+
 // Whether the fragment reports it; for derivatives, any of them.
 template <class Numbers>
 bool is_reported(const std::optional<Numbers>& numbers) {

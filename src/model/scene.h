@@ -203,7 +203,7 @@ struct Details {
   bool derivatives = false;
   // For textured draws: texture coordinates and level of detail. Set if there is such a draw.
   bool texture = false;
-  bool any() const { return coordinates || derivatives || texture; }
+  bool any() const { return *this != Details{}; }
   friend bool operator==(Details, Details) = default;
 };
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/rendering_fields.h"
 #include "raster/attributes.h"
 #include "raster/coverage_stages.h"
 #include "raster/fragment_runs.h"
@@ -86,8 +87,7 @@ void draw_single_sampled(Rendering& rendering, const Scene& scene, const RuleCho
     const std::vector<PixelPosition> pixels = covered_pixels(primitive, target, choice);
     make_room(pixels.size(), rendering.fragments);
     if (pixels.empty()) continue;
-    const bool has_details =
-        details.coordinates || details.derivatives || (details.texture && textured);
+    const bool has_details = is_any_asked(details, textured.has_value());
     const bool one_detail = are_details_constant(attributes, details, textured.has_value());
     if (has_details && !one_detail) make_room(pixels.size(), rendering.details);
     // If all fragments have one colour and one depth, only the first is shaded.
