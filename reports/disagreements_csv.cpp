@@ -35,17 +35,53 @@ std::string numbers(const std::vector<double>& values) {
   return fmt::format("{}", fmt::join(values, " "));
 }
 
-// The columns up to the verdict's standing, which all rows of a result share.
-std::string begin_row(const std::string& id, const std::string& renderer, const Result& result) {
-  return fmt::format("{},{},{},{}", id, renderer, name_of(result.verdict),
-                     name_of(result.standing));
+struct Row {
+  const std::string& id;  // this and the next two as fields
+  const std::string& renderer;
+  const std::string& file;
+  const Result& result;
+  const Disagreement& d;
+};
+
+struct Column {
+  const char* name;
+  std::string (*text)(const Row&);
+};
+
+constexpr Column kColumns[] = {
+    {"case", [](const Row& row) { return row.id; }},
+    {"renderer", [](const Row& row) { return row.renderer; }},
+    {"verdict", [](const Row& row) { return std::string(name_of(row.result.verdict)); }},
+    {"standing", [](const Row& row) { return std::string(name_of(row.result.standing)); }},
+    {"x", [](const Row& row) { return std::to_string(row.d.x); }},
+    {"y", [](const Row& row) { return std::to_string(row.d.y); }},
+    {"sample", [](const Row& row) { return std::to_string(row.d.sample); }},
+    {"primitive", [](const Row& row) { return std::to_string(row.d.primitive); }},
+    {"kind", [](const Row& row) { return std::string(name_of(row.d.kind)); }},
+    {"rule", [](const Row& row) { return field(name_of(row.d.rule)); }},
+    {"legality", [](const Row& row) { return std::string(name_of(row.d.legality)); }},
+    {"ruling", [](const Row& row) { return std::to_string(row.d.ruling); }},
+    {"cause", [](const Row& row) { return field(text_of(row.d.cause)); }},
+    {"situation", [](const Row& row) { return field(row.d.situation); }},
+    {"exact", [](const Row& row) { return numbers(row.d.exact); }},
+    {"rendered", [](const Row& row) { return numbers(row.d.rendered); }},
+    {"explanation", [](const Row& row) { return field(row.d.explanation); }},
+    {"file", [](const Row& row) { return row.file; }},
+};
+
+// The texts of all columns as one line.
+template <class Text>
+void write_line(std::ostream& out, const Text& text) {
+  const char* before = "";
+  for (const Column& column : kColumns) {
+    out << before << text(column);
+    before = ",";
+  }
+  out << "\r\n";
 }
 
-std::string row(const Disagreement& d) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", d.x, d.y, d.sample, d.primitive,
-                     name_of(d.kind), field(name_of(d.rule)), name_of(d.legality), d.ruling,
-                     field(text_of(d.cause)), field(d.situation), numbers(d.exact),
-                     numbers(d.rendered), field(d.explanation));
+void write_row(std::ostream& out, const Row& row) {
+  write_line(out, [&](const Column& column) { return column.text(row); });
 }
 
 // Stands for all of the class: at the first pixel, and told with their number.
@@ -62,19 +98,18 @@ Disagreement first_of(const CountedDisagreements& counted) {
 }  // namespace
 
 void write_disagreements_csv(const Results& results, std::ostream& out) {
-  out << "case,renderer,verdict,standing,x,y,sample,primitive,kind,rule,legality,ruling,cause,"
-         "situation,exact,rendered,explanation,file\r\n";
+  write_line(out, [](const Column& column) { return column.name; });
   std::vector<std::string> names;
   for (const RendererInfo& info : results.renderers) names.push_back(field(info.name));
   for (const CaseResults& one : results.cases) {
     const std::string id = field(one.id);
     const std::string file = field(one.file);
     for (std::size_t r = 0; r < one.results.size() && r < names.size(); ++r) {
-      const std::string begin = begin_row(id, names[r], one.results[r]);
-      for (const Disagreement& d : one.results[r].disagreements)
-        out << begin << ',' << row(d) << ',' << file << "\r\n";
-      for (const CountedDisagreements& counted : one.results[r].counted)
-        out << begin << ',' << row(first_of(counted)) << ',' << file << "\r\n";
+      const Result& result = one.results[r];
+      for (const Disagreement& d : result.disagreements)
+        write_row(out, {id, names[r], file, result, d});
+      for (const CountedDisagreements& counted : result.counted)
+        write_row(out, {id, names[r], file, result, first_of(counted)});
     }
   }
 }
