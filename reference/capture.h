@@ -6,11 +6,11 @@
 // writes only if there is room; helper invocations never write. If the counter shows that there was
 // no room, the buffer grows and the pass is drawn again; beyond a limit there is no capture.
 //
-// A record has pixel, primitive, depth and colour, in 32 bytes. A detailed one also has
-// gl_FragCoord and six derivatives of the colour, in 144 bytes: it is written for scenes that
-// request details. A textured one, of 160 bytes, adds texture coordinates and the level of detail;
-// its derivatives are those of the attribute before the lookup. For a multisampled target, the
-// upper 16 bits of the pixel's column are the covered samples, gl_SampleMaskIn.
+// A record has pixel, primitive, depth and colour. A detailed one also has gl_FragCoord and six
+// derivatives of the colour: it is written for scenes that request details. A textured one adds
+// texture coordinates and the level of detail; its derivatives are those of the attribute before
+// the lookup. For a multisampled target, the upper 16 bits of the pixel's column are the covered
+// samples, gl_SampleMaskIn.
 #pragma once
 
 #include <cstddef>
