@@ -39,6 +39,7 @@ class Debian(unittest.TestCase):
                      "/usr/share/edgecase/cases/profiles/osmesa-llvmpipe.json",
                      "/usr/share/edgecase/viewer/main.js",
                      "/usr/share/doc/edgecase/README.md",
+                     "/usr/share/doc/edgecase/changelog.gz",
                      "/usr/share/doc/edgecase/reference/PROTOCOL.md",
                      "/usr/share/doc/edgecase/reference/examples/triangles.py",
                      "/usr/share/doc/edgecase/reports/pages/reviewing.md",

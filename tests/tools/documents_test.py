@@ -28,7 +28,7 @@ PAGES = sorted(str(path.relative_to(ROOT)) for path in (ROOT / "reports/pages").
 DOCUMENTS = ("README.md", "CONTRIBUTING.md", "cases/README.md", "reference/PROTOCOL.md",
              "tools/ci/README.md", *PAGES)
 # Documents whose links are followed, too.
-OTHERS = ("reference/README.md", "src/rules/RULINGS.md", "tests/fuzz/README.md",
+OTHERS = ("CHANGELOG.md", "reference/README.md", "src/rules/RULINGS.md", "tests/fuzz/README.md",
           "tests/proofs/README.md")
 README_MOST_BYTES = 9216
 
