@@ -3,20 +3,28 @@
 
 #include <cmath>
 
+#include "rules/values/weighted_mean.h"
+
 namespace edgecase {
 namespace {
 
 constexpr double kShare = 0x1p-46;  // of M, for the margin
 constexpr double kLeast = 0x1p-44;  // of a code: the last product of the plain path
 
-// The edge function opposite to a vertex: its value at a sample and its growth per pixel.
-struct Weight {
-  double value;
-  double right;
-  double up;
+// A linear function: its value at a sample and its growth per pixel.
+struct Plane {
+  double value = 0;
+  double right = 0;
+  double up = 0;
+  friend Plane operator+(const Plane& a, const Plane& b) {
+    return {a.value + b.value, a.right + b.right, a.up + b.up};
+  }
+  friend Plane operator*(const Plane& a, double factor) {
+    return {a.value * factor, a.right * factor, a.up * factor};
+  }
 };
 
-Weight opposite(RawPoint a, RawPoint b, RawPoint sample) {
+Plane edge_function(RawPoint a, RawPoint b, RawPoint sample) {
   const std::int64_t right = std::int64_t{a.y} - b.y, up = std::int64_t{b.x} - a.x;
   return {static_cast<double>(right * (std::int64_t{sample.x} - a.x) +
                               up * (std::int64_t{sample.y} - a.y)),
@@ -36,28 +44,25 @@ ValuePlanes value_planes(const std::array<RawPoint, 3>& corners,
   const RawPoint sample = raw_point(pixel_centre(box.x_min, box.y_min));
   const double factor = scale / static_cast<double>(area_of(corners));
   const double width = box.x_max - box.x_min, height = box.y_max - box.y_min;
-  std::array<Weight, 3> weights{};
-  for (std::size_t i = 0; i < 3; ++i)
-    weights[i] = opposite(corners[(i + 1) % 3], corners[(i + 2) % 3], sample);
+  const auto weights = by_opposite_edge(
+      corners, [&](RawPoint a, RawPoint b) { return edge_function(a, b, sample); });
   ValuePlanes planes;
   for (std::size_t c = 0; c < 4; ++c) {
-    const auto value = [&](std::size_t i) { return static_cast<double>(values[i][c]); };
-    if (value(0) == value(1) && value(0) == value(2)) {
+    const WeightsOf<double> of{values[0][c], values[1][c], values[2][c]};
+    if (of[0] == of[1] && of[0] == of[2]) {
       // This equals the plain path to the bit, so nothing is left open.
-      planes.corner[c] = scale * value(0);
+      planes.corner[c] = scale * of[0];
       continue;
     }
     double most = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto& [at, right, up] = weights[i];
-      planes.corner[c] += value(i) * at;
-      planes.right[c] += value(i) * right;
-      planes.up[c] += value(i) * up;
-      most += std::abs(value(i)) * (std::abs(at) + std::abs(right) * width + std::abs(up) * height);
+      most += std::abs(of[i]) * (std::abs(at) + std::abs(right) * width + std::abs(up) * height);
     }
-    planes.corner[c] *= factor;
-    planes.right[c] *= factor;
-    planes.up[c] *= factor;
+    const Plane mean = add_weighted(kOwnOperators, Plane{}, weights, of, 0, 3) * factor;
+    planes.corner[c] = mean.value;
+    planes.right[c] = mean.right;
+    planes.up[c] = mean.up;
     planes.margin[c] = most * std::abs(factor) * kShare + kLeast;
   }
   return planes;

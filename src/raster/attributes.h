@@ -14,6 +14,7 @@
 #include "model/rendering.h"
 #include "model/scene.h"
 #include "rules/choices.h"
+#include "rules/values/clipped_attributes.h"
 #include "rules/values/derivative.h"
 #include "rules/values/interpolation.h"
 

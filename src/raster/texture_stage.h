@@ -17,7 +17,7 @@
 #include "raster/attributes.h"
 #include "rules/choices.h"
 #include "rules/textures/texture_image.h"
-#include "rules/values/derivative.h"
+#include "rules/values/coordinate_pairs.h"
 
 namespace edgecase {
 

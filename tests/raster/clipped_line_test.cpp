@@ -10,7 +10,7 @@
 
 #include "raster/attributes.h"
 #include "raster/rasterizer.h"
-#include "rules/values/interpolation.h"
+#include "rules/values/clipped_attributes.h"
 #include "tests/raster/clipped_scenes.h"
 
 namespace edgecase {

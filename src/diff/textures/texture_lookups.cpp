@@ -8,7 +8,7 @@
 #include "raster/texture_level.h"
 #include "rules/textures/directed.h"
 #include "rules/textures/texel_filter.h"
-#include "rules/values/inexact_interpolation.h"
+#include "rules/values/permitted_interpolation.h"
 
 namespace edgecase {
 namespace {

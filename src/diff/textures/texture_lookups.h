@@ -26,7 +26,7 @@
 #include "diff/values/value_diff.h"
 #include "raster/texture_stage.h"
 #include "rules/textures/texel_filter.h"
-#include "rules/values/derivative.h"
+#include "rules/values/coordinate_pairs.h"
 
 namespace edgecase {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "raster/attributes.h"
-#include "rules/values/inexact_interpolation.h"
+#include "rules/values/permitted_interpolation.h"
 
 namespace edgecase {
 

@@ -23,7 +23,7 @@
 #include "diff/values/value_judge.h"
 #include "rules/coverage/clip_volume.h"
 #include "rules/values/framebuffer.h"
-#include "rules/values/inexact_interpolation.h"
+#include "rules/values/permitted_interpolation.h"
 
 namespace edgecase {
 namespace {

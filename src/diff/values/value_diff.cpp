@@ -16,7 +16,7 @@
 #include "rules/all_rules.h"
 #include "rules/coverage/clip_polygon.h"
 #include "rules/output/polygon_offset.h"
-#include "rules/values/inexact_interpolation.h"
+#include "rules/values/permitted_interpolation.h"
 
 namespace edgecase {
 

@@ -24,7 +24,7 @@
 #include "raster/attributes.h"
 #include "rules/choices.h"
 #include "rules/textures/level_of_detail.h"
-#include "rules/values/inexact_interpolation.h"
+#include "rules/values/permitted_interpolation.h"
 
 namespace edgecase {
 

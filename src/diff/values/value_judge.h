@@ -14,7 +14,7 @@
 #include "diff/values/value_diff.h"
 #include "rules/coverage/line_algorithm.h"
 #include "rules/values/exact_interpolation.h"
-#include "rules/values/inexact_interpolation.h"
+#include "rules/values/permitted_interpolation.h"
 
 namespace edgecase {
 

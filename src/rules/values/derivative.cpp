@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rules/values/derivative.h"
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
-#include <type_traits>
-
-#include "rules/values/inexact_interpolation.h"
-#include "rules/values/interpolation.h"
 
 namespace edgecase {
 namespace {
@@ -27,12 +21,6 @@ Neighbours within(PixelPosition quad, Axis axis, int column, int row) {
 
 Point centre_of(PixelPosition pixel) {
   return pixel_centre(pixel.x, pixel.y);
-}
-
-// The difference of two ranges, itself computed in floating point.
-Interval inexact_difference(Interval second, Interval first) {
-  constexpr double kOperationError = 1e-5;
-  return widened(second - first, kOperationError);
 }
 
 Rule rule_about(RuleId id, const char* title, const char* latitude, const char* standard) {
@@ -99,8 +87,8 @@ Interval derivative_inexact(const Interpolant& f, const QuadPixel& at, Axis axis
   if (method == DerivativeMethod::analytic)
     return differentiate_inexact(f, centre_of(at.pixel), axis);
   const Neighbours of = neighbours_of(at, axis, method);
-  return inexact_difference(interpolate_inexact(f, centre_of(of.second)),
-                            interpolate_inexact(f, centre_of(of.first)));
+  return kInexact.subtract(interpolate_inexact(f, centre_of(of.second)),
+                           interpolate_inexact(f, centre_of(of.first)));
 }
 
 PermittedDerivatives::PermittedDerivatives(std::span<const Interpolant> components, double reach)
@@ -147,8 +135,8 @@ Interval PermittedDerivatives::at(PixelPosition pixel, Derivative derivative,
                                           : beside(pixel, across, along, component);
       values[static_cast<std::size_t>(along + 1)] = at.value;
     }
-    result = hull(result, inexact_difference(values[1], values[0]));
-    result = hull(result, inexact_difference(values[2], values[1]));
+    result = hull(result, kInexact.subtract(values[1], values[0]));
+    result = hull(result, kInexact.subtract(values[2], values[1]));
   }
   return result;
 }
@@ -217,82 +205,5 @@ Rule coarse_derivative_rule() {
                     "dFdxCoarse and dFdyCoarse may be the same for a whole neighbourhood",
                     "any neighbours around the fragment (ruling 16)", "quad-coarse-bottom-left");
 }
-
-// ------------------------------------------------------------------------ both texture coordinates
-
-namespace {
-
-constexpr std::size_t kRows = 4;  // those of a quad, and the rows beside it
-constexpr std::size_t kMostColumns = 4096;
-
-// Whether a derivative is more than the difference of two values, and how these are subtracted.
-struct ExactArithmetic {
-  static bool is_difference(const Interpolant& f, DerivativeMethod method) {
-    return method != DerivativeMethod::analytic && !is_linear(f);
-  }
-  static constexpr auto derivative = derivative_exact;
-  static Interval difference(Interval second, Interval first) { return second - first; }
-};
-struct InexactArithmetic {
-  static bool is_difference(const Interpolant&, DerivativeMethod method) {
-    return method != DerivativeMethod::analytic;
-  }
-  static constexpr auto derivative = derivative_inexact;
-  static constexpr auto difference = inexact_difference;
-};
-
-template <class Place>
-using ArithmeticOf =
-    std::conditional_t<std::is_same_v<Place, ExactPlace>, ExactArithmetic, InexactArithmetic>;
-
-}  // namespace
-
-template <class Place>
-CoordinatePairs<Place>::CoordinatePairs(int width)
-    : columns_(std::min(std::bit_ceil(static_cast<std::size_t>(width)), kMostColumns)) {}
-
-template <class Place>
-Place CoordinatePairs<Place>::place_at(int primitive, const Interpolant& s, Point sample) {
-  if constexpr (std::is_same_v<Place, InexactPlace>) {
-    if (vertices_of_ != primitive) vertices_.emplace(s);
-    vertices_of_ = primitive;
-    return Place(sample, *vertices_);
-  } else {
-    return Place(sample);
-  }
-}
-
-template <class Place>
-std::array<Interval, 2> CoordinatePairs<Place>::at(int primitive, const Interpolant& s,
-                                                   const Interpolant& t, PixelPosition pixel) {
-  if (known_.empty()) known_.resize(kRows * columns_);
-  // Neighbours of pixels at the target's edges lie outside it.
-  const std::size_t column = static_cast<std::size_t>(pixel.x) % columns_;
-  const std::size_t row = static_cast<std::size_t>(pixel.y) % kRows;
-  AtPixel& known = known_[row * columns_ + column];
-  if (known.primitive != primitive || known.pixel != pixel) {
-    const Place place = place_at(primitive, s, centre_of(pixel));
-    known = {primitive, pixel, {place.value(s), place.value(t)}};
-  }
-  return known.values;
-}
-
-template <class Place>
-std::array<Interval, 2> CoordinatePairs<Place>::derivatives(int primitive, const Interpolant& s,
-                                                            const Interpolant& t,
-                                                            const QuadPixel& at, Axis axis,
-                                                            DerivativeMethod method) {
-  using Arithmetic = ArithmeticOf<Place>;
-  if (!Arithmetic::is_difference(s, method) || !Arithmetic::is_difference(t, method))
-    return {Arithmetic::derivative(s, at, axis, method),
-            Arithmetic::derivative(t, at, axis, method)};
-  const Neighbours of = neighbours_of(at, axis, method);
-  const std::array<Interval, 2> first = this->at(primitive, s, t, of.first);
-  const std::array<Interval, 2> second = this->at(primitive, s, t, of.second);
-  return {Arithmetic::difference(second[0], first[0]), Arithmetic::difference(second[1], first[1])};
-}
-
-template class CoordinatePairs<ExactPlace>;
-template class CoordinatePairs<InexactPlace>;
 
 }  // namespace edgecase

@@ -8,11 +8,7 @@
 namespace edgecase {
 namespace {
 
-using Weights = std::array<Interval, 3>;
-
-std::size_t count_of(const Interpolant& f) {
-  return static_cast<std::size_t>(vertices_of(f.kind));
-}
+using Weights = WeightsOf<Interval>;
 
 bool is_small(Int128 value) {
   constexpr Int128 kLimit = Int128{1} << 62;
@@ -61,16 +57,9 @@ Weights line_weights(const Interpolant& f, const HomogeneousPoint& p) {
           sum_of_products(here.x, run.x, here.y, run.y) * static_cast<double>(b.w), 0};
 }
 
-// The determinant of the two other vertices and the sample is the area times all three denominators
-// except the vertex's own.
-Weights triangle_weights(const Interpolant& f, const HomogeneousPoint& p) {
-  const auto& v = f.positions;
-  const Int128 turn = cross(v[0], v[1], v[2]) < 0 ? -1 : 1;
-  Weights result;
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] =
-        interval_of(turn * cross(v[(i + 1) % 3], v[(i + 2) % 3], p)) * static_cast<double>(v[i].w);
-  return result;
+// 1 if the triangle's vertices lie counter-clockwise, else -1.
+Int128 turn_of(const Interpolant& f) {
+  return cross(f.positions[0], f.positions[1], f.positions[2]) < 0 ? -1 : 1;
 }
 
 // The sum of the weights before division by w: it does not depend on the sample, and is known more
@@ -87,17 +76,16 @@ Interval total_of(const Interpolant& f, const HomogeneousPoint& p) {
 
 // Positive inside the primitive.
 Weights plain_weights(const Interpolant& f, const HomogeneousPoint& p) {
-  return f.kind == PrimitiveKind::line ? line_weights(f, p) : triangle_weights(f, p);
+  if (f.kind == PrimitiveKind::line) return line_weights(f, p);
+  const Int128 turn = turn_of(f);
+  return triangle_weights<double>(f.positions,
+                                  [&](const HomogeneousPoint& a, const HomogeneousPoint& b) {
+                                    return interval_of(turn * cross(a, b, p));
+                                  });
 }
 
-Weights divided_by_w(Weights weights, const Interpolant& f) {
-  for (std::size_t i = 0; i < count_of(f); ++i) weights[i] = weights[i] / f.w[i];
-  return weights;
-}
-
-Weights exact_weights(const Interpolant& f, const HomogeneousPoint& p) {
-  const Weights plain = plain_weights(f, p);
-  return has_perspective(f) ? divided_by_w(plain, f) : plain;
+Weights weights_over_w(const Interpolant& f, const HomogeneousPoint& p) {
+  return divided_by_w(kOwnOperators, plain_weights(f, p), f.w, count_of(f));
 }
 
 // Numerator and denominator of the mean.
@@ -108,18 +96,9 @@ struct Mean {
 };
 
 Mean mean_by(const Weights& weights, const Interpolant& f) {
-  Mean mean{weights[0] * f.values[0], weights[0]};
-  for (std::size_t i = 1; i < count_of(f); ++i) {
-    mean.sum = mean.sum + weights[i] * f.values[i];
-    mean.total = mean.total + weights[i];
-  }
-  return mean;
-}
-
-Mean mean_of(const Interpolant& f, const HomogeneousPoint& p) {
-  Mean mean = mean_by(exact_weights(f, p), f);
-  if (!has_perspective(f)) mean.total = total_of(f, p);
-  return mean;
+  const std::size_t count = count_of(f);
+  return {weighted_sum(kOwnOperators, weights, f.values, count),
+          add_weights(kOwnOperators, weights[0], weights, 1, count)};
 }
 
 // Computed again without rounding, if the interval does not determine the nearest float32 number.
@@ -144,10 +123,8 @@ HomogeneousPoint next_pixel(HomogeneousPoint p, Axis axis) {
 Interval linear_slope(const Interpolant& f, Axis axis) {
   const Weights steps =
       plain_weights(f, axis == Axis::x ? HomogeneousPoint{1, 0, 0} : HomogeneousPoint{0, 1, 0});
-  Interval slope = 0;
-  for (std::size_t i = 1; i < count_of(f); ++i)
-    slope = slope + steps[i] * (f.values[i] - f.values[0]);
-  return slope / total_of(f, {0, 0, 1});
+  return slope_sum(kOwnOperators, steps, f.values, f.values[0], 1, count_of(f)) /
+         total_of(f, {0, 0, 1});
 }
 
 }  // namespace
@@ -173,7 +150,7 @@ bool ExactPlace::has_extent(const Interpolant& f) const {
 const ExactPlace::Weights& ExactPlace::weights_of(const Interpolant& f) const {
   if (!plain_) plain_ = plain_weights(f, homogeneous(sample_));
   if (!has_perspective(f)) return *plain_;
-  if (!over_w_) over_w_ = divided_by_w(*plain_, f);
+  if (!over_w_) over_w_ = divided_by_w(kOwnOperators, *plain_, f.w, count_of(f));
   return *over_w_;
 }
 
@@ -185,32 +162,27 @@ const Interval& ExactPlace::total_of(const Interpolant& f) const {
 // Determinants are linear in the sample: from pixel to pixel they grow by one number.
 const ExactRun::Weights& ExactRun::weights_of(const Interpolant& f) {
   if (!plain_) {
-    plain_.emplace();
-    const auto& v = f.positions;
     const HomogeneousPoint start = homogeneous(centre(0));
-    const Int128 turn = cross(v[0], v[1], v[2]) < 0 ? -1 : 1;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const HomogeneousPoint &a = v[(i + 1) % 3], &b = v[(i + 2) % 3];
-      const Int128 step = turn * cross(a, b, {Fixed::kOne, 0, 0});
-      Int128 side = turn * cross(a, b, start);
-      Lanes sides;
-      for (std::size_t pixel = 0; pixel < count_; ++pixel, side += step)
-        sides.set(pixel, interval_of(side));
-      (*plain_)[i] = sides * Interval(static_cast<double>(v[i].w));
-    }
+    const Int128 turn = turn_of(f);
+    plain_ = triangle_weights<double>(
+        f.positions, [&](const HomogeneousPoint& a, const HomogeneousPoint& b) {
+          const Int128 step = turn * cross(a, b, {Fixed::kOne, 0, 0});
+          Int128 side = turn * cross(a, b, start);
+          Lanes sides;
+          for (std::size_t pixel = 0; pixel < count_; ++pixel, side += step)
+            sides.set(pixel, interval_of(side));
+          return sides;
+        });
   }
   if (!has_perspective(f)) return *plain_;
-  if (!over_w_) {
-    over_w_.emplace();
-    for (std::size_t i = 0; i < 3; ++i) (*over_w_)[i] = (*plain_)[i] / f.w[i];
-  }
+  if (!over_w_) over_w_ = divided_by_w(kOwnOperators, *plain_, f.w, 3);
   return *over_w_;
 }
 
 ExactRun::Lanes ExactRun::means_of(const Interpolant& f) {
   const Weights& weights = weights_of(f);
-  const Lanes sum = weights[0] * f.values[0] + weights[1] * f.values[1] + weights[2] * f.values[2];
-  if (has_perspective(f)) return sum / (weights[0] + weights[1] + weights[2]);
+  const Lanes sum = weighted_sum(kOwnOperators, weights, f.values, 3);
+  if (has_perspective(f)) return sum / add_weights(kOwnOperators, weights[0], weights, 1, 3);
   return sum / total_of(f, homogeneous(centre(0)));
 }
 
@@ -246,15 +218,12 @@ Interval differentiate_exact(const Interpolant& f, Point sample, Axis axis) {
   if (!has_extent(f)) return Interval::everything();
   if (is_linear(f)) return linear_slope(f, axis);
   const HomogeneousPoint p = homogeneous(sample);
-  const Weights here = exact_weights(f, p);
-  const Weights there = exact_weights(f, next_pixel(p, axis));
-  const Mean mean = mean_of(f, p);
-  const Interval value = mean.value();
+  const Weights here = weights_over_w(f, p);
+  Weights growth = weights_over_w(f, next_pixel(p, axis));
+  for (std::size_t i = 0; i < count_of(f); ++i) growth[i] = growth[i] - here[i];
+  const Mean mean = mean_by(here, f);
   // N' - v D' as one sum over the vertices, so that values cancel and not products.
-  Interval slope = 0;
-  for (std::size_t i = 0; i < count_of(f); ++i)
-    slope = slope + (there[i] - here[i]) * (f.values[i] - value);
-  return slope / mean.total;
+  return slope_sum(kOwnOperators, growth, f.values, mean.value(), 0, count_of(f)) / mean.total;
 }
 
 }  // namespace edgecase

@@ -4,7 +4,6 @@
 // vertices, and for neighbouring pixels.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 #include "exact/interval_lanes.h"
 #include "model/rendering.h"
 #include "rules/values/interpolation.h"
+#include "rules/values/weighted_mean.h"
 
 namespace edgecase {
 
@@ -27,7 +27,7 @@ class ExactPlace {
   Interval value(const Interpolant& f) const;
 
  private:
-  using Weights = std::array<Interval, 3>;
+  using Weights = WeightsOf<Interval>;
   bool has_extent(const Interpolant& f) const;
   const Weights& weights_of(const Interpolant& f) const;
   const Interval& total_of(const Interpolant& f) const;
@@ -56,7 +56,7 @@ class ExactRun {
 
  private:
   using Lanes = IntervalLanes<kLongest>;
-  using Weights = std::array<Lanes, 3>;
+  using Weights = WeightsOf<Lanes>;
   const Weights& weights_of(const Interpolant& f);
   Lanes means_of(const Interpolant& f);
   Point centre(std::size_t pixel) const;

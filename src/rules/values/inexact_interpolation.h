@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The inexact half of rules/values/interpolation.h: shares of a primitive's vertices and means by
+// The inexact part of rules/values/interpolation.h: shares of a primitive's vertices and means by
 // them, in arithmetic in which every operation errs.
 #pragma once
 
@@ -11,6 +11,7 @@
 #include "exact/interval.h"
 #include "exact/interval_lanes.h"
 #include "rules/values/interpolation.h"
+#include "rules/values/weighted_mean.h"
 
 namespace edgecase {
 
@@ -50,45 +51,75 @@ using WindowPlaces = std::array<WindowPlace, 3>;
 WindowPlace place_of(Point point);
 WindowPlaces places_of(const Interpolant& f);
 
-// One per vertex; their sum is about 1. `Number`: an interval, or lanes of them.
+// Weights of the vertices whose sum is about 1.
+using Shares = WeightsOf<Interval>;
+
+// a x b: above 0 if b lies counter-clockwise of a.
 template <class Number>
-using SharesOf = std::array<Number, 3>;
-using Shares = SharesOf<Interval>;
+Number cross(const Inexact& op, const std::array<Number, 2>& a, const std::array<Number, 2>& b) {
+  return op.subtract(op.multiply(a[0], b[1]), op.multiply(a[1], b[0]));
+}
+
+// From p to a.
+template <class Number>
+std::array<Number, 2> difference(const Inexact& op, const std::array<Number, 2>& a,
+                                 const WindowPlace& p) {
+  return {op.subtract(a[0], p[0]), op.subtract(a[1], p[1])};
+}
 
 // Twice the area of a triangle, above 0 if a, b and p lie counter-clockwise.
 template <class Number>
 Number area_of(const Inexact& op, const std::array<Number, 2>& a, const std::array<Number, 2>& b,
                const WindowPlace& p) {
-  const Number ax = op.subtract(a[0], p[0]);
-  const Number ay = op.subtract(a[1], p[1]);
-  const Number bx = op.subtract(b[0], p[0]);
-  const Number by = op.subtract(b[1], p[1]);
-  return op.subtract(op.multiply(ax, by), op.multiply(ay, bx));
+  return cross(op, difference(op, a, p), difference(op, b, p));
 }
+
+// Those of the triangles that p forms with each edge, by the vertex opposite to it.
+Shares areas_at(const Inexact& op, const WindowPlaces& v, const WindowPlace& p);
+// The same over the whole triangle's area.
+Shares triangle_shares(const WindowPlaces& v, Interval area, const WindowPlace& p);
 
 // The shares, each divided by its w, and their sum.
 template <class Number>
 struct OverW {
-  SharesOf<Number> shares;
+  WeightsOf<Number> shares;
   Number total;
 };
 using SharesOverW = OverW<Interval>;
 
 template <class Number>
-OverW<Number> divided_by_w(const Interpolant& f, const SharesOf<Number>& shares) {
-  OverW<Number> result;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(vertices_of(f.kind)); ++i) {
-    result.shares[i] = kInexact.divide(shares[i], f.w[i]);
-    result.total = kInexact.add(result.total, result.shares[i]);
-  }
+OverW<Number> divided_by_w(const Interpolant& f, const WeightsOf<Number>& shares) {
+  const std::size_t count = count_of(f);
+  OverW<Number> result{divided_by_w(kInexact, shares, f.w, count), {}};
+  result.total = add_weights(kInexact, result.total, result.shares, 0, count);
   return result;
 }
 
+template <class Number>
+Number inexact_sum(const Interpolant& f, const WeightsOf<Number>& shares) {
+  return add_weighted(kInexact, Number{}, shares, f.values, 0, count_of(f));
+}
+
+// The mean of an attribute with perspective.
+template <class Number>
+Number inexact_mean(const Interpolant& f, const OverW<Number>& over_w) {
+  return kInexact.divide(inexact_sum(f, over_w.shares), over_w.total);
+}
 // The mean by these shares: along a line without division by w, as equation 14.7 has it, or
 // starting from the first vertex, as it can be read too.
 Interval inexact_mean(const Interpolant& f, const Shares& shares);
-// The same for an attribute with perspective.
-Interval inexact_mean(const Interpolant& f, const SharesOverW& over_w);
+
+// A point's attribute.
+Interval inexact_at_point(const Interpolant& f);
+
+// The growth of a triangle's areas per pixel along the axis: the opposite edges' run along the
+// other axis.
+Shares area_slopes(const WindowPlaces& v, Axis axis);
+// The change of an attribute along an axis. For a triangle, `value` is the attribute's, used only
+// with perspective, `slopes` are those of the areas, with perspective over w, and `total` is the
+// divisor of its mean.
+Interval line_slope(const Interpolant& f, const WindowPlaces& v, const WindowPlace& p, Axis axis);
+Interval triangle_slope(const Interpolant& f, const Shares& slopes, Interval value, Interval total);
 
 // What the samples of a primitive share.
 struct UnmovedVertices {
@@ -117,122 +148,6 @@ class InexactPlace {
   // Computed on demand.
   mutable std::optional<Shares> shares_;
   mutable std::optional<SharesOverW> over_w_;
-};
-
-// The permitted half of rules/values/interpolation.h: the possible values of a primitive's
-// attributes if each vertex may have moved.
-//
-// For a triangle, the numerator and denominator of a mean are linear in each coordinate of a
-// vertex, so the quotient is monotonic in each while the denominator keeps its sign: its extremes
-// are where every coordinate has moved as far as it may, at one of 64 corners. MovedVertices
-// computes once the part that a primitive's samples share; MovedShares, the part that its
-// attributes share at a sample.
-
-// The vertices of one primitive, and the corners if it is a triangle.
-class MovedVertices {
- public:
-  // `primitive`: one of its attributes, for its positions. reach: each vertex may have moved by
-  // less than this many pixels in x and in y.
-  MovedVertices(const Interpolant& primitive, double reach);
-
-  // The possible positions of each vertex.
-  const WindowPlaces& grown() const { return grown_; }
-  // The growth of a triangle's shares along an axis; with perspective, over w. All attributes with
-  // perspective must have the same w.
-  const Shares& slopes(const Interpolant& f, Axis axis) const;
-
- private:
-  friend class MovedShares;
-
-  static constexpr std::size_t kCorners = 64;
-  static constexpr std::size_t kEdges = 16;
-  using Corners = IntervalLanes<kCorners>;
-  using Edges = IntervalLanes<kEdges>;
-  // One vertex: bits 0 and 1 of the index tell whether x and y have grown. A corner's index has
-  // those of the first vertex lowest; an edge's, those of its first end.
-  using Moved = std::array<WindowPlace, 4>;
-  static std::size_t move_of(std::size_t corner, std::size_t vertex) {
-    return corner >> 2 * vertex & 3;
-  }
-  // An edge's ends, by its moves.
-  struct Edge {
-    std::array<Edges, 2> from, to;
-  };
-
-  void move_triangle(double reach);
-
-  WindowPlaces unmoved_;
-  WindowPlaces grown_;
-  std::array<Edge, 3> edges_;   // by the vertex opposite to each
-  Interval area_;               // in inexact arithmetic, of the whole triangle
-  Corners areas_;               // the same by corner
-  Interval all_areas_;          // the hull of both
-  bool is_steady_ = true;       // all areas have one sign, exactly
-  bool is_above_zero_ = false;  // the sign, if they have one
-  // By axis, computed on demand: as they are, and over w.
-  mutable std::array<std::optional<Shares>, 2> slopes_;
-  mutable std::array<std::optional<Shares>, 2> slopes_over_w_;
-};
-
-// The shares of a triangle's vertices at one sample, by corner.
-//
-// An area with a sample depends on two vertices alone, so there are 16 of each. Areas belong to the
-// corner and the sample, not to the attribute, and so do shares over w, since all attributes have
-// one w. They are computed once.
-class MovedShares {
- public:
-  // `vertices` must outlive this.
-  MovedShares(const MovedVertices& vertices, Point sample);
-
-  // interpolate_permitted for an attribute of that triangle. All attributes with perspective must
-  // have the same w.
-  Interval mean(const Interpolant& f) const;
-
-  // The divisor of the mean, made of areas: the triangle's own or, with perspective, the sum of
-  // those with the sample, each over its w. Everything if it may be 0.
-  Interval total(const Interpolant& f) const;
-
- private:
-  using Corners = MovedVertices::Corners;
-
-  SharesOf<Corners> areas(const Inexact& op) const;
-  bool is_steady(const Interpolant& f) const;
-  bool total_keeps_sign(const Interpolant& f) const;
-  Interval total_over_w(const Interpolant& f) const;
-
-  const MovedVertices& vertices_;
-  WindowPlace sample_;
-  SharesOf<Corners> areas_;  // by the vertex opposite to each
-  Shares unmoved_;
-  SharesOf<Corners> shares_;
-  // For the one w, computed on demand.
-  mutable std::optional<bool> total_keeps_sign_;
-  mutable std::optional<SharesOverW> unmoved_over_w_;
-  mutable std::optional<OverW<Corners>> over_w_;
-  mutable std::optional<Interval> total_over_w_;
-};
-
-// The results of interpolate_permitted and differentiate_permitted for several attributes of one
-// primitive at one sample. The part that the attributes share is computed once.
-class PermittedPlace {
- public:
-  // `vertices`, those of the attributes' primitive, must outlive this.
-  PermittedPlace(const MovedVertices& vertices, Point sample)
-      : vertices_(vertices), sample_(sample) {}
-
-  // Attributes with perspective have the same w.
-  Interval value(const Interpolant& f) const;
-  Interval slope(const Interpolant& f, Axis axis) const;
-  // Along x and along y; `value`: the result of value(f).
-  std::array<Interval, 2> slopes(const Interpolant& f, Interval value) const;
-
- private:
-  Interval slope(const Interpolant& f, Axis axis, Interval value) const;
-  const MovedShares& shares() const;
-
-  const MovedVertices& vertices_;
-  Point sample_;
-  mutable std::optional<MovedShares> shares_;  // for a triangle, computed on demand
 };
 
 }  // namespace edgecase

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "rules/values/weighted_mean.h"
+
 namespace edgecase {
 namespace {
 
@@ -13,52 +15,61 @@ using boost::multiprecision::abs;
 using boost::multiprecision::gcd;
 using boost::multiprecision::lcm;
 
-// The coefficients of a linear form in the homogeneous coordinates x, y and w of the sample.
-using Coefficients = std::array<Rational, 3>;
+// A linear form in the homogeneous coordinates x, y and w of the sample.
+struct LinearForm {
+  std::array<Rational, 3> coefficients{};
 
-std::size_t count_of(const Interpolant& f) {
-  return static_cast<std::size_t>(vertices_of(f.kind));
-}
+  LinearForm() = default;
+  LinearForm(const Rational& constant) : LinearForm(0, 0, constant) {}  // NOLINT: a number is one
+  LinearForm(const Rational& x, const Rational& y, const Rational& w) : coefficients{x, y, w} {}
+
+  friend LinearForm operator+(LinearForm a, const LinearForm& b) {
+    for (std::size_t i = 0; i < 3; ++i) a.coefficients[i] += b.coefficients[i];
+    return a;
+  }
+  friend LinearForm operator-(LinearForm a, const LinearForm& b) {
+    for (std::size_t i = 0; i < 3; ++i) a.coefficients[i] -= b.coefficients[i];
+    return a;
+  }
+  friend LinearForm operator*(LinearForm a, const Rational& factor) {
+    for (Rational& coefficient : a.coefficients) coefficient *= factor;
+    return a;
+  }
+  friend LinearForm operator/(LinearForm a, const Rational& divisor) {
+    for (Rational& coefficient : a.coefficients) coefficient /= divisor;
+    return a;
+  }
+};
 
 bool are_single(const Interpolant& f, const std::array<Interval, 3>& numbers) {
   return std::all_of(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count_of(f)),
                      [](Interval v) { return v.low == v.high && std::isfinite(v.low); });
 }
 
-// The determinant of the rows a, b and the sample: positive to the left of a -> b.
-Coefficients side_of(const HomogeneousPoint& a, const HomogeneousPoint& b) {
+using SixIntegers = std::array<Integer, 6>;
+
+std::array<Rational, 3> rationals_of(const Interpolant& f, const std::array<Interval, 3>& numbers) {
+  std::array<Rational, 3> rationals;
+  for (std::size_t i = 0; i < count_of(f); ++i) rationals[i] = rational_of(numbers[i].low);
+  return rationals;
+}
+
+// Of the rows a, b and the sample: positive to the left of a -> b.
+LinearForm determinant(const HomogeneousPoint& a, const HomogeneousPoint& b) {
   return {rational_of(cross(a, b, {1, 0, 0})), rational_of(cross(a, b, {0, 1, 0})),
           rational_of(cross(a, b, {0, 0, 1}))};
 }
 
-using Weights = std::array<Coefficients, 3>;
-using SixIntegers = std::array<Integer, 6>;
-
-Weights triangle_weights(const Interpolant& f) {
-  const auto& v = f.positions;
-  Weights weights;
-  for (std::size_t i = 0; i < 3; ++i) {
-    weights[i] = side_of(v[(i + 1) % 3], v[(i + 2) % 3]);
-    for (Rational& coefficient : weights[i]) coefficient *= v[i].w;
-  }
-  return weights;
-}
-
-// t = (p - a).(b - a), or its like along the major axis alone, and |b - a|^2 - t.
-Weights line_weights(const Interpolant& f) {
-  const auto divided = [](std::int64_t coordinate, std::int64_t w) {
-    return Rational(Integer(coordinate), Integer(w));
+WeightsOf<LinearForm> weights_of(const Interpolant& f) {
+  if (f.kind == PrimitiveKind::triangle)
+    return triangle_weights<Rational>(f.positions, determinant);
+  const auto place_of = [](const HomogeneousPoint& p) {
+    return std::array{Rational(Integer(p.x), Integer(p.w)), Rational(Integer(p.y), Integer(p.w))};
   };
-  const HomogeneousPoint& a = f.positions[0];
-  const HomogeneousPoint& b = f.positions[1];
-  Rational run_x = divided(b.x, b.w) - divided(a.x, a.w);
-  Rational run_y = divided(b.y, b.w) - divided(a.y, a.w);
-  const Rational whole_x = run_x, whole_y = run_y;
-  if (f.line_parameter != LineParameter::projection) (goes_by_x(f) ? run_y : run_x) = 0;
-  const Rational length = run_x * whole_x + run_y * whole_y;
-  const Rational start = divided(a.x, a.w) * run_x + divided(a.y, a.w) * run_y;
-  return {Coefficients{-run_x, -run_y, length + start}, Coefficients{run_x, run_y, -start},
-          Coefficients{}};
+  return line_weights(
+      kOwnOperators, f,
+      std::array{place_of(f.positions[0]), place_of(f.positions[1]), std::array<Rational, 2>{}},
+      std::array{LinearForm(1, 0, 0), LinearForm(0, 1, 0)});
 }
 
 // Six coefficients, scaled to integers without a common factor.
@@ -83,38 +94,33 @@ Point centre_of(PixelPosition pixel) {
 
 std::optional<RationalInterpolation> RationalInterpolation::of(const Interpolant& f) {
   if (!are_single(f, f.values) || !are_single(f, f.w)) return std::nullopt;
-  std::array<Rational, 6> sums{};  // of the numerator's x, y, w and the denominator's
+  LinearForm above, below;
   if (f.kind == PrimitiveKind::point || is_constant(f)) {
-    sums[2] = rational_of(f.values[0].low);
-    sums[5] = 1;
+    above = rational_of(f.values[0].low);
+    below = Rational(1);
   } else {
     if (!has_extent(f)) return std::nullopt;
-    const auto weights = f.kind == PrimitiveKind::line ? line_weights(f) : triangle_weights(f);
-    const bool divides = has_perspective(f);
-    for (std::size_t i = 0; i < count_of(f); ++i) {
-      const Rational value = rational_of(f.values[i].low);
-      for (std::size_t c = 0; c < 3; ++c) {
-        const Rational weight =
-            divides ? Rational(weights[i][c] / rational_of(f.w[i].low)) : weights[i][c];
-        sums[c] += weight * value;
-        sums[3 + c] += weight;
-      }
-    }
+    WeightsOf<LinearForm> weights = weights_of(f);
+    if (has_perspective(f))
+      weights = divided_by_w(kOwnOperators, weights, rationals_of(f, f.w), count_of(f));
+    above = weighted_sum(kOwnOperators, weights, rationals_of(f, f.values), count_of(f));
+    below = add_weights(kOwnOperators, weights[0], weights, 1, count_of(f));
   }
+  const auto& a = above.coefficients;
+  const auto& b = below.coefficients;
   // The sample's w is 2^16.
-  sums[2] *= Fixed::kOne;
-  sums[5] *= Fixed::kOne;
-  std::array<Integer, 6> whole = reduced(sums);
+  const SixIntegers whole =
+      reduced({a[0], a[1], a[2] * Fixed::kOne, b[0], b[1], b[2] * Fixed::kOne});
   RationalInterpolation result;
   result.above_ = {whole[0], whole[1], whole[2]};
   result.below_ = {whole[3], whole[4], whole[5]};
-  result.machine_above_ = MachineForm::of(result.above_);
-  result.machine_below_ = MachineForm::of(result.below_);
+  result.machine_above_ = small(result.above_);
+  result.machine_below_ = small(result.below_);
   return result;
 }
 
-std::optional<RationalInterpolation::MachineForm> RationalInterpolation::MachineForm::of(
-    const Form& form) {
+std::optional<RationalInterpolation::MachineForm> RationalInterpolation::small(
+    const Form<Integer>& form) {
   const Integer most =
       std::max({Integer(abs(form.x)), Integer(abs(form.y)), Integer(abs(form.one))});
   if (most != 0 && msb(most) >= 62) return std::nullopt;

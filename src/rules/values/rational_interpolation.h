@@ -32,25 +32,17 @@ class RationalInterpolation {
 
  private:
   // x sample.x + y sample.y + one, the sample's coordinates being multiples of 2^-16.
+  template <class Number>
   struct Form {
-    Integer x;
-    Integer y;
-    Integer one;
-    Integer at(Point sample) const { return x * sample.x.raw() + y * sample.y.raw() + one; }
+    Number x = 0, y = 0, one = 0;
+    Number at(Point sample) const { return x * sample.x.raw() + y * sample.y.raw() + one; }
   };
-  // The same form in machine integers below 2^62.
-  struct MachineForm {
-    Int128 x = 0;
-    Int128 y = 0;
-    Int128 one = 0;
-    Int128 at(Point sample) const { return x * sample.x.raw() + y * sample.y.raw() + one; }
-    static std::optional<MachineForm> of(const Form& form);
-  };
+  using MachineForm = Form<Int128>;  // in machine integers below 2^62
+  static std::optional<MachineForm> small(const Form<Integer>& form);
   RationalInterpolation() = default;
   Rational slope(Point sample, Axis axis, const Integer& below) const;
 
-  Form above_;
-  Form below_;
+  Form<Integer> above_, below_;
   std::optional<MachineForm> machine_above_, machine_below_;  // none: too large
 };
 

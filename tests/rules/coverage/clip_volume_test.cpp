@@ -10,6 +10,7 @@
 #include <random>
 
 #include "rules/coverage/triangle_fill.h"
+#include "rules/values/clipped_attributes.h"
 #include "rules/values/interpolation.h"
 #include "tests/oracles/clip_space.h"
 #include "tests/support/share.h"

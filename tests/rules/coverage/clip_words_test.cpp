@@ -10,7 +10,7 @@
 
 #include "rules/coverage/clip_polygon.h"
 #include "rules/coverage/clip_volume.h"
-#include "rules/values/interpolation.h"
+#include "rules/values/clipped_attributes.h"
 #include "tests/support/points.h"
 
 namespace edgecase {

@@ -2,7 +2,7 @@
 //
 // What a place shares between attributes, corners and areas is what each would work out by itself:
 // to the bit, against the formula of rules/values/interpolation.h evaluated corner by corner.
-#include "rules/values/inexact_interpolation.h"
+#include "rules/values/permitted_interpolation.h"
 
 #include <gtest/gtest.h>
 

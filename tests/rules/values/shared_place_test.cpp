@@ -6,10 +6,12 @@
 
 #include <array>
 
+#include "rules/values/coordinate_pairs.h"
 #include "rules/values/derivative.h"
 #include "rules/values/exact_interpolation.h"
 #include "rules/values/inexact_interpolation.h"
 #include "rules/values/interpolation.h"
+#include "rules/values/permitted_interpolation.h"
 #include "rules/values/rational_interpolation.h"
 #include "tests/rules/values/interpolants.h"
 
