@@ -18,7 +18,7 @@
 #include "diff/findings/add_disagreement.h"
 #include "diff/findings/patience.h"
 #include "diff/textures/untold_colors.h"
-#include "diff/values/pixel_values.h"
+#include "diff/values/pixel_truth.h"
 #include "diff/values/value_diff.h"
 #include "raster/samples.h"
 #include "rules/all_rules.h"

@@ -6,7 +6,7 @@
 // gone either way must have gone the same way for all of them.
 #pragma once
 
-#include "diff/values/sample_writers.h"
+#include "diff/values/pixel_truth.h"
 #include "diff/values/value_diff.h"
 
 namespace edgecase {

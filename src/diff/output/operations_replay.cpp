@@ -6,7 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "diff/values/pixel_values.h"
+#include "diff/values/ignored_multisample.h"
+#include "diff/values/pixel_truth.h"
 #include "diff/values/sample_writers.h"
 #include "raster/coverage_stages.h"
 #include "rules/values/framebuffer.h"

@@ -15,7 +15,8 @@
 
 #include "diff/findings/add_disagreement.h"
 #include "diff/samples/sample_values.h"
-#include "diff/values/pixel_values.h"
+#include "diff/values/ignored_multisample.h"
+#include "diff/values/pixel_truth.h"
 #include "diff/values/sample_writers.h"
 #include "rules/samples/alpha_thresholds.h"
 #include "rules/samples/sample_mask.h"

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "diff/findings/add_disagreement.h"
-#include "diff/values/pixel_values.h"
+#include "diff/values/pixel_truth.h"
 #include "diff/values/sample_writers.h"
 #include "rules/samples/resolve.h"
 

@@ -7,7 +7,8 @@
 
 #include <span>
 
-#include "diff/values/sample_writers.h"
+#include "diff/values/pixel_truth.h"
+#include "diff/values/value_diff.h"
 #include "rules/all_rules.h"
 
 namespace edgecase {

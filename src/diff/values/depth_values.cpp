@@ -16,6 +16,7 @@
 
 #include "diff/findings/add_disagreement.h"
 #include "diff/findings/patience.h"
+#include "diff/values/ignored_multisample.h"
 #include "diff/values/sample_writers.h"
 #include "diff/values/value_causes.h"
 #include "diff/values/value_diff.h"

@@ -11,7 +11,8 @@
 #include <tuple>
 
 #include "diff/findings/add_disagreement.h"
-#include "diff/values/pixel_values.h"
+#include "diff/values/pixel_truth.h"
+#include "diff/values/value_diff.h"
 #include "rules/values/framebuffer.h"
 
 namespace edgecase {
@@ -82,11 +83,6 @@ class DitheredPixels {
 };
 
 }  // namespace
-
-bool has_flat_color(const ValueContext& context, const Fragment& fragment) {
-  const Draw& state = *context.primitive_of(fragment).state;
-  return state.interpolation == Interpolation::flat && !state.texture;
-}
 
 void compare_dithering(const ValueContext& context, const Rendering& rendered, Result& result) {
   DitheredPixels(context, rendered).run(result);

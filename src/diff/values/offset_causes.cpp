@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "diff/values/value_causes.h"
+#include "diff/values/offset_causes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,6 @@
 
 #include "diff/coverage/vertex_latitude.h"
 #include "diff/findings/most_meet.h"
-#include "diff/values/value_diff.h"
 #include "rules/all_rules.h"
 #include "rules/change_search.h"
 #include "rules/choices.h"
@@ -109,13 +108,6 @@ FollowedOffset followed_offset(const ValueContext& context, const Rendering& ren
   }
   return {};
 }
-
-// ----------------------------------------------------------------------------- the unit of offsets
-//
-// The unit of polygon offsets in a fixed-point depth buffer (ruling 38) is one constant, which the
-// implementation does not report. Each fragment with a reported depth leaves an interval of units
-// that may have led to it; the unit is assumed to lie where most of these intervals meet. If they
-// do not all meet, the fragments of the others are the faulty ones.
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <span>
 
-#include "diff/values/sample_writers.h"
+#include "diff/values/ignored_multisample.h"
+#include "diff/values/offset_causes.h"
 #include "rules/all_rules.h"
 #include "rules/change_search.h"
 #include "rules/choices.h"
@@ -17,17 +17,6 @@ namespace {
 
 constexpr RuleId kRules[] = {RuleId::attribute_smooth, RuleId::attribute_perspective,
                              RuleId::attribute_positions};
-// Where attributes are evaluated, and where depths.
-constexpr RuleId kLocationRules[] = {RuleId::attribute_location, RuleId::attribute_centroid};
-constexpr RuleId kDepthRules[] = {RuleId::sample_depth};
-
-bool yields_color(const PrimitiveAttributes& attributes, Point place, const Fragment& fragment) {
-  for (std::size_t c = 0; c < 4; ++c)
-    if (!rounded_to_float(color_inexact(attributes, c, place, {fragment.x, fragment.y}))
-             .contains(to_float(fragment.color[c])))
-      return false;
-  return true;
-}
 
 // True if a primitive under some choices has the fragment's reported values.
 using Test = std::function<bool(const PrimitiveAttributes&)>;
@@ -62,6 +51,28 @@ Cause first_change(const ValueContext& context, const Fragment& fragment, const 
 }
 
 }  // namespace
+
+LocationChoice locations_of(const Change& change, const RuleChoices& chosen) {
+  return change.applied_to(chosen).values.locations;
+}
+
+bool yields_color(const PrimitiveAttributes& attributes, Point place, const Fragment& fragment) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if (!rounded_to_float(color_inexact(attributes, c, place, {fragment.x, fragment.y}))
+             .contains(to_float(fragment.color[c])))
+      return false;
+  return true;
+}
+
+bool yields_depth(const ValueContext& context, const Fragment& fragment, const Interpolant& depth,
+                  const LocationChoice& choice) {
+  const Draw& draw = *context.primitive_of(fragment).state;
+  if (fragment_depth_is_zero(draw.multisampling, choice)) return fragment.depth == 0;
+  const Interval interpolated =
+      interpolate_inexact(depth, context.depth_place_of(fragment, choice));
+  return rounded_to_float(clamped_depth(context.values_of(fragment).lawful, interpolated))
+      .contains(to_float(fragment.depth));
+}
 
 bool is_by_major_axis(const Cause& cause) {
   return cause ==
@@ -158,88 +169,6 @@ bool yields_derivative(const std::array<Interpolant, 4>& color, const QuadPixel&
     if (!rounded_to_float(range).contains(to_float(rendered[c]))) return false;
   }
   return true;
-}
-
-// --------------------------------------------------------------------------------------- locations
-
-namespace {
-
-// True if the fragment's colour depends on where it is evaluated.
-bool has_place(const ValueContext& context, const Fragment& fragment) {
-  const Draw& draw = *context.primitive_of(fragment).state;
-  return fragment.has_color && is_multisampled(draw, context.scene.target) &&
-         draw.interpolation != Interpolation::flat;
-}
-
-// True if the fragment's depth depends on where it is evaluated.
-bool has_depth_place(const ValueContext& context, const Fragment& fragment) {
-  return fragment.has_depth &&
-         is_multisampled(*context.primitive_of(fragment).state, context.scene.target);
-}
-
-bool yields(const ValueContext& context, const Fragment& fragment, const LocationChoice& choice) {
-  return yields_color(context.values_of(fragment).lawful, context.place_of(fragment, choice),
-                      fragment);
-}
-
-// The first alternative of these rules under which every fragment passes, if not every one does
-// under the policy's own choices.
-template <class Followed, class Passes>
-Followed followed_by_all(const ValueContext& context, const Rendering& rendered,
-                         std::span<const RuleId> rules, const Passes& passes) {
-  if (context.scene.target.samples == 1) return {};
-  const auto all = [&](const LocationChoice& choice) {
-    return std::ranges::all_of(rendered.fragments,
-                               [&](const Fragment& f) { return passes(f, choice); });
-  };
-  if (all(context.choices.values.locations)) return {};
-  const Cause cause =
-      first_cause(changes_beside(rules, context.choices),
-                  [&](const Change& change) { return all(locations_of(change, context.choices)); });
-  if (cause.empty()) return {};
-  return {cause, cause.rule(), rule_of(cause.rule()).ruling};
-}
-
-}  // namespace
-
-LocationChoice locations_of(const Change& change, const RuleChoices& chosen) {
-  return change.applied_to(chosen).values.locations;
-}
-
-bool FollowedLocation::explains(const ValueContext& context, const Fragment& fragment) const {
-  return !cause.empty() && has_place(context, fragment) &&
-         !yields(context, fragment, context.choices.values.locations);
-}
-
-bool yields_depth(const ValueContext& context, const Fragment& fragment, const Interpolant& depth,
-                  const LocationChoice& choice) {
-  const Draw& draw = *context.primitive_of(fragment).state;
-  if (fragment_depth_is_zero(draw.multisampling, choice)) return fragment.depth == 0;
-  const Interval interpolated =
-      interpolate_inexact(depth, context.depth_place_of(fragment, choice));
-  return rounded_to_float(clamped_depth(context.values_of(fragment).lawful, interpolated))
-      .contains(to_float(fragment.depth));
-}
-
-bool FollowedDepth::explains(const ValueContext& context, const Fragment& fragment) const {
-  return !cause.empty() && has_depth_place(context, fragment) &&
-         !yields_depth(context, fragment, context.values_of(fragment).lawful.depth,
-                       context.choices.values.locations);
-}
-
-FollowedDepth followed_depth(const ValueContext& context, const Rendering& rendered) {
-  const auto passes = [&](const Fragment& f, const LocationChoice& choice) {
-    return !has_depth_place(context, f) ||
-           yields_depth(context, f, context.values_of(f).lawful.depth, choice);
-  };
-  return followed_by_all<FollowedDepth>(context, rendered, kDepthRules, passes);
-}
-
-FollowedLocation followed_location(const ValueContext& context, const Rendering& rendered) {
-  const auto passes = [&](const Fragment& f, const LocationChoice& choice) {
-    return !has_place(context, f) || yields(context, f, choice);
-  };
-  return followed_by_all<FollowedLocation>(context, rendered, kLocationRules, passes);
 }
 
 }  // namespace edgecase

@@ -311,8 +311,6 @@ void ValueAggregator::flush(Result& result) {
   result.values.push_back(std::move(aggregate_));
 }
 
-// ------------------------------------------------------------------------- values that equal exact
-
 namespace {
 
 bool are_equal(const Fragment& a, const Fragment& b) {

@@ -133,6 +133,22 @@ void compare_derivatives(const ValueContext& context, const Rendering& rendered,
 // the renderer reports there.
 void compare_depths(const ValueContext& context, const Rendering& rendered, Result& result);
 
+// Compares pixels, of multisampled targets sample by sample, with the last fragment that the
+// renderer reports there.
+void compare_pixels(const ValueContext& context, const Rendering& rendered, Result& result);
+
+// Compares the pixels of one colour with each other, on a target of one sample: dithering is
+// disabled.
+void compare_dithering(const ValueContext& context, const Rendering& rendered, Result& result);
+
+// True if the answer equals exact to the bit, as most do if colours are flat; then none of its
+// values need be judged. Exact is drawn by OpenGL's own choices, and the answer reports everything
+// that exact does about fragments and the target, bit by bit. Then every value is correct, and so
+// permitted. Only for drawings with one sample each, without passes, textures, fragment operations
+// and polygon offset, and for answers without details: elsewhere false, which means unknown.
+bool has_exact_values(const Scene& scene, const ResolvedPolicy& policy, const Rendering& exact,
+                      const Rendering& rendered);
+
 // The policy's choices, with OpenGL's own on attributes.
 RuleChoices lawful_choices(const RuleChoices& chosen);
 
@@ -210,17 +226,5 @@ class ValueAggregator {
   ValueAggregate aggregate_;
   double ulp_sum_ = 0;
 };
-
-// ------------------------------------------------------------------------- values that equal exact
-//
-// Answers that equal exact, to the bit. Most do if colours are flat, and none of their values need
-// be judged.
-
-// True if exact is drawn by OpenGL's own choices, and the answer reports everything that exact does
-// about fragments and the target, bit by bit. Then every value is correct, and so permitted. Only
-// for drawings with one sample each, without passes, textures, fragment operations and polygon
-// offset, and for answers without details: elsewhere false, which means unknown.
-bool has_exact_values(const Scene& scene, const ResolvedPolicy& policy, const Rendering& exact,
-                      const Rendering& rendered);
 
 }  // namespace edgecase
