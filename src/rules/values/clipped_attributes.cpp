@@ -6,7 +6,7 @@
 
 #include "exact/rational.h"
 #include "model/clipped_line.h"
-#include "rules/coverage/clip_volume.h"
+#include "rules/coverage/clip_polygon.h"
 #include "rules/coverage/homogeneous_line.h"
 #include "rules/values/weighted_mean.h"
 
