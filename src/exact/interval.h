@@ -50,6 +50,7 @@ struct Interval {
   }
 
   constexpr bool contains(double value) const { return low <= value && value <= high; }
+  friend constexpr bool operator==(const Interval&, const Interval&) = default;
   // Largest absolute value.
   double magnitude() const { return std::max(std::fabs(low), std::fabs(high)); }
 };

@@ -49,14 +49,6 @@ Interpolant plus(Interpolant depth, Interval offset) {
   return depth;
 }
 
-}  // namespace
-
-QuadPixel quad_of(PixelPosition pixel, const ValueChoice& choice, const Target& target) {
-  return in_quad(pixel, choice.quad_rows, target.height);
-}
-
-namespace {
-
 PrimitiveAttributes attributes_at(const VertexAttributes& vertices, const ScenePrimitive& primitive,
                                   const RuleChoices& choices, const Target& target) {
   const Draw& draw = *primitive.state;
@@ -76,6 +68,10 @@ PrimitiveAttributes attributes_at(const VertexAttributes& vertices, const SceneP
 }
 
 }  // namespace
+
+QuadPixel quad_of(PixelPosition pixel, const ValueChoice& choice, const Target& target) {
+  return in_quad(pixel, choice.quad_rows, target.height);
+}
 
 PrimitiveAttributes attributes_of(const ScenePrimitive& primitive, const RuleChoices& choices,
                                   const Target& target) {
@@ -298,96 +294,43 @@ const CentreColors::Derivatives& CentreColors::derivatives(const QuadPixel& pixe
   return known.derivatives;
 }
 
-namespace {
-
-// Whether a fragment's colour is stored regardless of the old one: written_color then ignores it.
-bool replaces_color(const FragmentOperations& operations, const BlendChoice& choice) {
-  return !operations.blending && choice.mask == ColorMaskMethod::as_set &&
-         std::ranges::all_of(operations.color_mask, std::identity());
-}
-
-}  // namespace
-
 FragmentStage::FragmentStage(Rendering& rendering, const Target& target, const OutputChoice& choice)
-    : rendering_(rendering), target_(target), choice_(choice) {}
+    : rendering_(rendering),
+      rules_{target, choice},
+      operated_(choice.stencil == StencilMethod::once_a_draw ? rendering.stencils.size() : 0) {}
 
-void FragmentStage::draw(const SampleFragment& fragment, const FragmentOperations& operations,
+void FragmentStage::draw(const ExactFragment& fragment, const FragmentOperations& operations,
                          std::size_t sample) const {
-  if (!passes_tests(fragment, operations, sample)) return;
-  if (target_.depth != DepthFormat::none && fragment.writes_depth &&
-      stores_depth(operations.depth, choice_.depth_mask))
-    rendering_.depths[sample] = to_depth(fragment.depth, target_.depth, choice_.depth_bits);
-  write_color(fragment, operations, sample);
-  ++rendering_.hits[sample];
+  ExactSample values;
+  const auto exchange = [&] {
+    auto& colors = rendering_.samples > 1 ? rendering_.sample_pixels : rendering_.pixels;
+    std::swap_ranges(values.color.begin(), values.color.end(), &colors[4 * sample]);
+    if (!rendering_.depths.empty()) std::swap(values.depth, rendering_.depths[sample]);
+    if (!rendering_.stencils.empty()) std::swap(values.stencil, rendering_.stencils[sample]);
+    if (!operated_.empty()) std::swap(values.operated, operated_[sample]);
+    std::swap(values.hits, rendering_.hits[sample]);
+  };
+  exchange();
+  apply(fragment, operations, rules_, values);
+  exchange();
 }
 
-void FragmentStage::draw_at_all(const SampleFragment& fragment,
-                                const FragmentOperations& operations,
+void FragmentStage::draw_at_all(const ExactFragment& fragment, const FragmentOperations& operations,
                                 std::span<const PixelPosition> pixels) const {
-  const bool is_tested =
-      target_.depth != DepthFormat::none || target_.stencil != StencilFormat::none;
-  if (is_tested || !replaces_color(operations, choice_.blend)) {
+  const bool all_alike = rules_.target.depth == DepthFormat::none &&
+                         rules_.target.stencil == StencilFormat::none && !operations.blending &&
+                         writes_all_components(operations, rules_.choice.blend.mask);
+  if (!all_alike) {
     for (const PixelPosition p : pixels)
       draw(fragment, operations, rendering_.pixel_index(p.x, p.y));
     return;
   }
-  const Rgba8 stored = written_color(operations, fragment.color, {}, choice_.blend);
+  const Rgba8 stored = written_color(operations, fragment.color, {}, rules_.choice.blend);
   for (const PixelPosition p : pixels) {
     const std::size_t pixel = rendering_.pixel_index(p.x, p.y);
     std::copy_n(stored.begin(), stored.size(), &rendering_.pixels[4 * pixel]);
     ++rendering_.hits[pixel];
   }
-}
-
-bool FragmentStage::passes_tests(const SampleFragment& fragment,
-                                 const FragmentOperations& operations, std::size_t sample) const {
-  if (target_.stencil == StencilFormat::none || !operations.stencil)
-    return passes_depth(fragment.depth, operations.depth, sample);
-  const StencilFace& face = face_of(*operations.stencil, fragment.front_facing, choice_.stencil);
-  std::uint8_t& stored = rendering_.stencils[sample];
-  const auto update = [&](StencilOperation operation) {
-    if (is_first_of_draw(operations, sample))
-      stored = after(operation, face, stored, choice_.stencil);
-  };
-  if (!passes_stencil_test(face, stored, choice_.stencil)) {
-    update(face.fail);
-    return false;
-  }
-  const bool passes = passes_depth(fragment.depth, operations.depth, sample);
-  update(passes ? face.pass : face.depth_fail);
-  return passes;
-}
-
-// False only under once_a_draw.
-bool FragmentStage::is_first_of_draw(const FragmentOperations& operations,
-                                     std::size_t sample) const {
-  if (choice_.stencil != StencilMethod::once_a_draw) return true;
-  operated_.resize(rendering_.stencils.size());
-  return std::exchange(operated_[sample], &operations) != &operations;
-}
-
-bool FragmentStage::passes_depth(double depth, const DepthTest& test, std::size_t sample) const {
-  if (target_.depth == DepthFormat::none) return true;
-  return passes_depth_test(test, depth, rendering_.depths[sample], target_.depth, choice_.depth,
-                           choice_.depth_bits);
-}
-
-void FragmentStage::write_color(const SampleFragment& fragment,
-                                const FragmentOperations& operations, std::size_t sample) const {
-  std::vector<std::uint8_t>& plane =
-      rendering_.samples > 1 ? rendering_.sample_pixels : rendering_.pixels;
-  std::uint8_t* const stored = plane.data() + 4 * sample;
-  Rgba8 destination{};
-  if (replaces_color(operations, choice_.blend)) {
-    if (replacing_ != fragment.color) {
-      replacing_ = fragment.color;
-      replacement_ = written_color(operations, fragment.color, destination, choice_.blend);
-    }
-    std::ranges::copy(replacement_, stored);
-    return;
-  }
-  std::copy_n(stored, destination.size(), destination.begin());
-  std::ranges::copy(written_color(operations, fragment.color, destination, choice_.blend), stored);
 }
 
 }  // namespace edgecase

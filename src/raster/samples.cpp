@@ -126,7 +126,7 @@ class MultisampledPrimitive {
 
   // `location` of the sample's depth, within the pixel.
   void write(const Fragment& fragment, int sample, Point location, bool writes_depth = true) {
-    SampleFragment written{fragment.color, fragment.depth, front_facing_, writes_depth};
+    ExactFragment written{fragment.color, fragment.depth, front_facing_, writes_depth};
     if (target_.depth != DepthFormat::none)
       written.depth =
           middle(depth_exact(attributes_, place_in({fragment.x, fragment.y}, location)));

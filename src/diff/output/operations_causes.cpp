@@ -127,7 +127,7 @@ OperationsAggregates::Part& OperationsAggregates::part_for(OperationsReason reas
 }
 
 void OperationsAggregates::add(const OperationsQuestion& question, OperationsReason reason,
-                               const SampleState& exact) {
+                               const ExactSample& exact) {
   if (reason == OperationsReason::conversion) {
     if (!has_color(exact, question.stored)) {
       if (exact.blended) follow_roundings(question);
@@ -148,7 +148,7 @@ void OperationsAggregates::follow_roundings(const OperationsQuestion& question) 
   });
 }
 
-void OperationsAggregates::add_colors(const OperationsQuestion& question, const SampleState& exact,
+void OperationsAggregates::add_colors(const OperationsQuestion& question, const ExactSample& exact,
                                       Part& part) const {
   Place place{question_place(question), {}};
   for (std::size_t c = 0; c < 4; ++c) {
@@ -160,7 +160,7 @@ void OperationsAggregates::add_colors(const OperationsQuestion& question, const 
   part.places.push_back(std::move(place));
 }
 
-void OperationsAggregates::add_depth(const OperationsQuestion& question, const SampleState& exact) {
+void OperationsAggregates::add_depth(const OperationsQuestion& question, const ExactSample& exact) {
   if (!question.stored.depth || *question.stored.depth == exact.depth) return;
   const double rendered = *question.stored.depth;
   const double ulp = std::fabs(rendered - exact.depth) / step_at(rendered, question.target().depth);
@@ -168,7 +168,7 @@ void OperationsAggregates::add_depth(const OperationsQuestion& question, const S
 }
 
 // Counts an open outcome by the first plane that shows it: hits, else colour, depth or stencil.
-void OperationsAggregates::add_outcome(const OperationsQuestion& question, const SampleState& exact,
+void OperationsAggregates::add_outcome(const OperationsQuestion& question, const ExactSample& exact,
                                        Part& part) const {
   const StoredSample& stored = question.stored;
   const auto add_one = [&](double one, double other) {

@@ -57,7 +57,7 @@ class OperationsAggregates {
   // Counts a compared sample with these planes.
   void count(const StoredSample& stored);
   // Adds a permitted sample, whose reason is not `none`, with exact's state there.
-  void add(const OperationsQuestion& question, OperationsReason reason, const SampleState& exact);
+  void add(const OperationsQuestion& question, OperationsReason reason, const ExactSample& exact);
   void flush(Result& result) const;
 
  private:
@@ -78,9 +78,9 @@ class OperationsAggregates {
   };
 
   Part& part_for(OperationsReason reason);
-  void add_colors(const OperationsQuestion& question, const SampleState& exact, Part& part) const;
-  void add_depth(const OperationsQuestion& question, const SampleState& exact);
-  void add_outcome(const OperationsQuestion& question, const SampleState& exact, Part& part) const;
+  void add_colors(const OperationsQuestion& question, const ExactSample& exact, Part& part) const;
+  void add_depth(const OperationsQuestion& question, const ExactSample& exact);
+  void add_outcome(const OperationsQuestion& question, const ExactSample& exact, Part& part) const;
   void follow_roundings(const OperationsQuestion& question);
   void flush(const Part& part, std::size_t compared, std::size_t components, Result& result) const;
 

@@ -81,7 +81,7 @@ class OperationsComparison {
  private:
   void compare(const OperationsQuestion& question) {
     aggregates_.count(question.stored);
-    const SampleState exact = question.exact(chosen_);
+    const ExactSample exact = question.exact(chosen_);
     const bool agrees = is_exact(exact, question.stored);
     if (agrees && (is_standard_ || context_.latitude == Latitude::none)) return;
     const OperationsReason reason = reason_for(question);
@@ -220,7 +220,7 @@ class OperationsComparison {
   }
 
   // Sets the values of the first plane that differs.
-  static void set_values(const SampleState& exact, const StoredSample& stored, Disagreement& d) {
+  static void set_values(const ExactSample& exact, const StoredSample& stored, Disagreement& d) {
     if (!has_color(exact, stored)) {
       d.exact.assign(exact.color.begin(), exact.color.end());
       d.rendered.assign(stored.color, stored.color + 4);
@@ -264,20 +264,21 @@ SamplePlanes samples_by_operations(const ValueContext& context, const Rendering&
   OperationsFreedom freedom = kAllPermitted;
   if (ends == AlphaEnds::open) freedom.alpha = OutcomeScope::any;
   for_each_sample(context, arrivals, rendered, [&](const OperationsQuestion& question) {
-    std::vector<SampleState> states = question.states({}, freedom);
-    const auto agrees_with_others = [&](const SampleState& state) {
+    std::vector<PermittedSample> states = question.states({}, freedom);
+    const auto agrees_with_others = [&](const PermittedSample& state) {
       return agrees(state, question.stored, question.target().depth);
     };
     // Other reported planes narrow the states down.
     if (std::ranges::any_of(states, agrees_with_others))
-      std::erase_if(states, [&](const SampleState& state) { return !agrees_with_others(state); });
+      std::erase_if(states,
+                    [&](const PermittedSample& state) { return !agrees_with_others(state); });
     const Rgba8 nearest = question.exact(chosen).color;
     const std::size_t index =
         4 * rendered.sample_index(question.pixel.x, question.pixel.y, question.sample);
     for (std::size_t c = 0; c < 4; ++c) {
       planes.nearest[index + c] = nearest[c];
-      for (const SampleState& state : states) {
-        const auto [low, high] = state.permitted_color[c];
+      for (const PermittedSample& state : states) {
+        const auto [low, high] = state.color.permitted[c];
         planes.low[index + c] =
             static_cast<std::uint8_t>(std::min<int>(planes.low[index + c], low));
         planes.high[index + c] =

@@ -12,15 +12,16 @@
 
 namespace edgecase {
 
-SampleState OperationsQuestion::exact(const RuleChoices& choice) const {
-  return Replay(target(), choice.output, {}, Tracked::exact)
-      .run(arrivals(choice, Tracked::exact))
-      .front();
+ExactSample OperationsQuestion::exact(const RuleChoices& choice) const {
+  ExactSample held = cleared_sample<ExactNumbers>(target());
+  for (const Arrival& arrival : arrivals(choice, Tracked::exact))
+    arrive(arrival, {target(), choice.output}, held);
+  return held;
 }
 
-std::vector<SampleState> OperationsQuestion::states(const RuleChoices& choice,
-                                                    OperationsFreedom freedom) const {
-  return Replay(target(), choice.output, freedom).run(arrivals(choice));
+std::vector<PermittedSample> OperationsQuestion::states(const RuleChoices& choice,
+                                                        OperationsFreedom freedom) const {
+  return replayed(arrivals(choice), {target(), choice.output, freedom});
 }
 
 bool OperationsQuestion::agrees(const RuleChoices& choice, OperationsFreedom freedom,
@@ -73,10 +74,10 @@ Stages stages_of(std::span<const Arrival> arrivals, const Target& target) {
 // stored.
 bool agrees_in_another_order(const OperationsQuestion& question) {
   const RuleChoices& lawful = standard_choices();
-  const Replay replay(question.target(), lawful.output, kAllPermitted);
+  const OutputRules rules{question.target(), lawful.output, kAllPermitted};
   std::vector<Arrival> arrivals = question.arrivals(lawful);
   const auto agree = [&] {
-    return any_agrees(replay.run(arrivals), question.stored, question.target().depth);
+    return any_agrees(replayed(arrivals, rules), question.stored, question.target().depth);
   };
   for (std::size_t i = 0; i + 1 < arrivals.size(); ++i) {
     std::swap(arrivals[i], arrivals[i + 1]);
@@ -90,7 +91,7 @@ bool agrees_in_another_order(const OperationsQuestion& question) {
 // True if the draws' masks with their components in another order yield what is stored.
 bool agrees_with_masks_in_another_order(const OperationsQuestion& question) {
   const RuleChoices& lawful = standard_choices();
-  const Replay replay(question.target(), lawful.output, kAllPermitted);
+  const OutputRules rules{question.target(), lawful.output, kAllPermitted};
   std::vector<Arrival> arrivals = question.arrivals(lawful);
   std::vector<FragmentOperations> operations;
   for (const Arrival& arrival : arrivals) operations.push_back(*arrival.operations);
@@ -101,7 +102,8 @@ bool agrees_with_masks_in_another_order(const OperationsQuestion& question) {
     for (std::size_t i = 0; i < given.size(); ++i)
       for (std::size_t c = 0; c < 4; ++c)
         operations[i].color_mask[c] = given[i].color_mask[order[c]];
-    if (any_agrees(replay.run(arrivals), question.stored, question.target().depth)) return true;
+    if (any_agrees(replayed(arrivals, rules), question.stored, question.target().depth))
+      return true;
   }
   return false;
 }
@@ -162,11 +164,11 @@ std::array<bool, 4> blended_components(std::span<const Arrival> arrivals) {
 }
 
 // The state with its blended components widened by some codes to both sides.
-SampleState loosened(SampleState state, const std::array<bool, 4>& blended) {
+PermittedSample loosened(PermittedSample state, const std::array<bool, 4>& blended) {
   constexpr int kCodes = 5;
   for (std::size_t c = 0; c < blended.size(); ++c) {
     if (!blended[c]) continue;
-    Unorm8Range& range = state.permitted_color[c];
+    Unorm8Range& range = state.color.permitted[c];
     range.low = static_cast<std::uint8_t>(std::max(0, range.low - kCodes));
     range.high = static_cast<std::uint8_t>(std::min(255, range.high + kCodes));
   }
@@ -178,11 +180,11 @@ SampleState loosened(SampleState state, const std::array<bool, 4>& blended) {
 int contested_ruling(const OperationsQuestion& question) {
   const DepthFormat format = question.target().depth;
   const auto blended = blended_components(question.arrivals({}));
-  for (const SampleState& state : question.states({}, kAllPermitted)) {
+  for (const PermittedSample& state : question.states({}, kAllPermitted)) {
     if (agrees(loosened(state, blended), question.stored, format)) return kRulingOnBlendedCodes;
     if (question.stored.depth &&
         agrees(state, question.stored, format, {true, false, true, true}) &&
-        is_within_one_code(*question.stored.depth, state.permitted_depth, format))
+        is_within_one_code(*question.stored.depth, state.depth.permitted, format))
       return kRulingOnDepthCodes;
   }
   return 0;
@@ -200,26 +202,27 @@ constexpr std::size_t kMostDescribed = 6;
 std::string describe_stencil_failure(const Arrival& arrival, std::uint8_t stored,
                                      const RuleChoices& choice) {
   const StencilFace& face =
-      face_of(*arrival.operations->stencil, arrival.front_facing, choice.output.stencil);
+      face_of(*arrival.operations->stencil, arrival.values.front_facing, choice.output.stencil);
   return fmt::format("fails the stencil test ({} {} {} under mask {})", face.reference,
                      name_of(face.function), stored, face.read_mask);
 }
 
-std::string describe_step(const Arrival& arrival, const SampleState& before,
-                          const SampleState& after, const RuleChoices& choice, DepthFormat format) {
-  switch (after.last) {
-    case OperationsStep::none:
-      return "";
-    case OperationsStep::dropped:
+// `before`: what exact stored before it.
+std::string describe_outcome(const Arrival& arrival, const ExactSample& before,
+                             FragmentOutcome outcome, const RuleChoices& choice,
+                             DepthFormat format) {
+  switch (outcome) {
+    case FragmentOutcome::dropped:
       return "is left out by alpha to coverage";
-    case OperationsStep::stencil_failed:
+    case FragmentOutcome::stencil_failed:
       return describe_stencil_failure(arrival, before.stencil, choice);
-    case OperationsStep::depth_failed:
-      return fmt::format("fails the depth test ({:.9g} {} {:.9g})", to_depth(arrival.depth, format),
+    case FragmentOutcome::depth_failed:
+      return fmt::format("fails the depth test ({:.9g} {} {:.9g})",
+                         to_depth(arrival.values.depth.exact, format),
                          name_of(arrival.operations->depth.function), before.depth);
-    case OperationsStep::passed:
+    case FragmentOutcome::passed:
       return fmt::format("{}, ({:.6g})", arrival.operations->blending ? "is blended" : "is written",
-                         fmt::join(arrival.color, ", "));
+                         fmt::join(arrival.values.color.exact, ", "));
   }
   return "";
 }
@@ -228,17 +231,16 @@ std::string describe_step(const Arrival& arrival, const SampleState& before,
 std::vector<std::string> describe_arrivals(const OperationsQuestion& question,
                                            const RuleChoices& choice) {
   const Target& target = question.target();
-  const Replay replay(target, choice.output, {});
-  std::vector<SampleState> states{replay.cleared()};
+  ExactSample sample = cleared_sample<ExactNumbers>(target);
   std::vector<std::string> texts;
   for (const Arrival& arrival : question.arrivals(choice)) {
-    const SampleState before = states.front();
-    states = replay.after(states, arrival);
-    const std::string depth =
-        target.depth == DepthFormat::none ? "" : fmt::format(", depth {:.9g},", arrival.depth);
-    texts.push_back(
-        fmt::format("primitive {}{} {}", arrival.fragment->primitive, depth,
-                    describe_step(arrival, before, states.front(), choice, target.depth)));
+    const ExactSample before = sample;
+    const FragmentOutcome outcome = arrive(arrival, {target, choice.output}, sample);
+    const std::string depth = target.depth == DepthFormat::none
+                                  ? ""
+                                  : fmt::format(", depth {:.9g},", arrival.values.depth.exact);
+    texts.push_back(fmt::format("primitive {}{} {}", arrival.fragment->primitive, depth,
+                                describe_outcome(arrival, before, outcome, choice, target.depth)));
   }
   return texts;
 }
@@ -264,7 +266,7 @@ struct PlaneTexts {
   }
 };
 
-PlaneTexts describe_planes(const SampleState& exact, const StoredSample& stored) {
+PlaneTexts describe_planes(const ExactSample& exact, const StoredSample& stored) {
   PlaneTexts texts;
   if (stored.color != nullptr)
     texts.add(fmt::format("({})", fmt::join(exact.color, ", ")),

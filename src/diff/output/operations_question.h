@@ -38,9 +38,9 @@ class OperationsQuestion {
                                        Tracked tracked = Tracked::permitted) const {
     return arrivals_.at(fragments_, sample, choice, tracked);
   }
-  // What exact stores for the renderer's own fragments, without what is permitted.
-  SampleState exact(const RuleChoices& choice) const;
-  std::vector<SampleState> states(const RuleChoices& choice, OperationsFreedom freedom) const;
+  // What exact stores for the renderer's own fragments.
+  ExactSample exact(const RuleChoices& choice) const;
+  std::vector<PermittedSample> states(const RuleChoices& choice, OperationsFreedom freedom) const;
   // True if one of the states that these outcomes lead to agrees.
   bool agrees(const RuleChoices& choice, OperationsFreedom freedom,
               ComparedPlanes planes = {}) const;

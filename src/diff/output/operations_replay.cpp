@@ -15,251 +15,143 @@
 namespace edgecase {
 namespace {
 
-bool is_equal(const Rgba8Range& a, const Rgba8Range& b) {
-  return std::ranges::equal(a, b, [](Unorm8Range one, Unorm8Range other) {
-    return one.low == other.low && one.high == other.high;
-  });
-}
-
-bool is_equal(const SampleState& a, const SampleState& b) {
-  return a.color == b.color && is_equal(a.permitted_color, b.permitted_color) &&
-         a.depth == b.depth && a.permitted_depth.low == b.permitted_depth.low &&
-         a.permitted_depth.high == b.permitted_depth.high && a.source == b.source &&
-         a.stencil == b.stencil && a.hits == b.hits && a.blended == b.blended &&
-         a.operated == b.operated;
-}
-
 // A state that permits everything that either of the two permits.
-SampleState merged(SampleState a, const SampleState& b) {
+PermittedSample merged(PermittedSample a, const PermittedSample& b) {
   for (std::size_t c = 0; c < 4; ++c) {
-    a.permitted_color[c].low = std::min(a.permitted_color[c].low, b.permitted_color[c].low);
-    a.permitted_color[c].high = std::max(a.permitted_color[c].high, b.permitted_color[c].high);
+    Unorm8Range& range = a.color.permitted[c];
+    range.low = std::min(range.low, b.color.permitted[c].low);
+    range.high = std::max(range.high, b.color.permitted[c].high);
   }
-  a.permitted_depth = hull(a.permitted_depth, b.permitted_depth);
-  if (a.source != b.source) a.source.reset();
+  a.depth.permitted = hull(a.depth.permitted, b.depth.permitted);
+  if (a.depth.reported != b.depth.reported) a.depth.reported.reset();
   a.blended = a.blended || b.blended;
   return a;
 }
 
-std::vector<SampleState> merged(const std::vector<SampleState>& states) {
-  std::map<std::pair<std::uint8_t, std::uint32_t>, SampleState> by_count;
-  for (const SampleState& state : states) {
+std::vector<PermittedSample> merged(const std::vector<PermittedSample>& states) {
+  std::map<std::pair<std::uint8_t, std::uint32_t>, PermittedSample> by_count;
+  for (const PermittedSample& state : states) {
     const auto [place, is_new] = by_count.try_emplace({state.stencil, state.hits}, state);
     if (!is_new) place->second = merged(place->second, state);
   }
-  std::vector<SampleState> result;
+  std::vector<PermittedSample> result;
   for (const auto& [key, state] : by_count) result.push_back(state);
   return result;
 }
 
-void add(const SampleState& state, std::vector<SampleState>& states) {
-  const bool known =
-      std::ranges::any_of(states, [&](const SampleState& other) { return is_equal(state, other); });
-  if (!known) states.push_back(state);
-}
-
-SampleState with_step(SampleState state, OperationsStep step) {
-  state.last = step;
-  return state;
-}
-
-}  // namespace
-
-SampleState Replay::cleared() const {
-  SampleState state;
-  for (std::size_t c = 0; c < 4; ++c) {
-    const auto component = static_cast<double>(target_.clear[c]);
-    state.color[c] = to_unorm8(component);
-    if (tracked_ == Tracked::permitted) state.permitted_color[c] = unorm8_permitted(component);
-  }
-  const auto depth = static_cast<double>(target_.clear_depth);
-  state.depth = to_depth(depth, target_.depth);
-  if (tracked_ == Tracked::permitted) state.permitted_depth = depth_permitted(depth, target_.depth);
-  state.stencil = target_.clear_stencil;
-  return state;
-}
-
-std::vector<SampleState> Replay::run(std::span<const Arrival> arrivals) const {
-  std::vector<SampleState> states{cleared()};
-  std::vector<SampleState> next;
-  for (const Arrival& arrival : arrivals) step(states, arrival, next);
-  return states;
-}
-
-std::vector<SampleState> Replay::after(std::vector<SampleState> states,
-                                       const Arrival& arrival) const {
-  std::vector<SampleState> next;
-  step(states, arrival, next);
-  return states;
-}
-
-// `next`: memory that is used again from step to step.
-void Replay::step(std::vector<SampleState>& states, const Arrival& arrival,
-                  std::vector<SampleState>& next) const {
-  next.clear();
-  for (const SampleState& state : states) add_after(state, arrival, next);
-  if (next.size() > kMostStates) next = merged(next);
-  std::swap(states, next);
-}
-
-void Replay::add_after(const SampleState& state, const Arrival& arrival,
-                       std::vector<SampleState>& next) const {
-  Outcomes kept{arrival.is_kept, !arrival.is_kept};
-  const bool is_open = arrival.may_be_dropped || !arrival.is_kept;
-  if (freedom_.alpha == OutcomeScope::permitted)
-    kept = {arrival.may_be_kept, arrival.may_be_dropped};
-  if (freedom_.alpha == OutcomeScope::any && is_open) kept = {true, true};
-  if (kept.fail) add(with_step(state, OperationsStep::dropped), next);
-  if (!kept.pass) return;
-  add_tested(state, arrival, arrival.front_facing, next);
-  if (freedom_.facing == OutcomeScope::permitted && arrival.may_face_otherwise)
-    add_tested(state, arrival, !arrival.front_facing, next);
-}
-
-void Replay::add_tested(const SampleState& state, const Arrival& arrival, bool front_facing,
-                        std::vector<SampleState>& next) const {
-  const FragmentOperations& operations = *arrival.operations;
-  const bool has_stencil = target_.stencil != StencilFormat::none && operations.stencil;
-  const StencilFace* face = nullptr;
-  if (has_stencil) face = &face_of(*operations.stencil, front_facing, output_.stencil);
-  const auto with = [&](SampleState reached, StencilOperation StencilFace::*operation,
-                        OperationsStep step) {
-    const bool is_first = output_.stencil != StencilMethod::once_a_draw ||
-                          std::exchange(reached.operated, &operations) != &operations;
-    if (face != nullptr && is_first)
-      reached.stencil = edgecase::after(face->*operation, *face, reached.stencil, output_.stencil);
-    add(with_step(std::move(reached), step), next);
-  };
-  const Outcomes stencil = face != nullptr ? stencil_outcomes(state, *face) : Outcomes{true, false};
-  if (stencil.fail) with(state, &StencilFace::fail, OperationsStep::stencil_failed);
-  if (!stencil.pass) return;
-  const Outcomes depth = depth_outcomes(state, arrival);
-  if (depth.fail) with(state, &StencilFace::depth_fail, OperationsStep::depth_failed);
-  if (!depth.pass) return;
-  SampleState reached = written(state, arrival);
-  if (has_either_depth(reached, arrival)) {
-    SampleState other = reached;
-    reached.depth = reached.permitted_depth.low;
-    other.depth = other.permitted_depth.high;
-    reached.permitted_depth = reached.depth;
-    other.permitted_depth = other.depth;
-    with(std::move(reached), &StencilFace::pass, OperationsStep::passed);
-    reached = std::move(other);
-  }
-  with(std::move(reached), &StencilFace::pass, OperationsStep::passed);
-}
-
-Replay::Outcomes Replay::stencil_outcomes(const SampleState& state, const StencilFace& face) const {
-  if (freedom_.stencil_test == OutcomeScope::any && face.function != CompareFunction::always)
-    return {true, true};
-  const bool passes = passes_stencil_test(face, state.stencil, output_.stencil);
-  return {passes, !passes};
-}
-
-Replay::Outcomes Replay::depth_outcomes(const SampleState& state, const Arrival& arrival) const {
-  if (target_.depth == DepthFormat::none) return {true, false};
-  const DepthTest& test = arrival.operations->depth;
-  if (freedom_.depth_test == OutcomeScope::any && test.function != CompareFunction::always)
-    return {true, true};
-  if (compares_unconverted()) {
-    const auto [may_pass, may_fail] = unconverted_outcomes(test.function, arrival.permitted_depth,
-                                                           state.permitted_depth, target_.depth);
-    return {may_pass, may_fail};
-  }
-  if (freedom_.depth_test == OutcomeScope::exact || output_.depth != DepthTestMethod::as_set ||
-      output_.depth_bits != DepthBits::as_set) {
-    const bool passes = passes_depth_test(test, arrival.depth, state.depth, target_.depth,
-                                          output_.depth, output_.depth_bits);
-    return {passes, !passes};
-  }
-  const bool same = arrival.reported_depth && arrival.reported_depth == state.source;
-  const auto [may_pass, may_fail] =
-      permitted_outcomes(test.function, depth_permitted(arrival.permitted_depth, target_.depth),
-                         state.permitted_depth, same);
-  return {may_pass, may_fail};
+void add(const PermittedSample& state, std::vector<PermittedSample>& states) {
+  if (std::ranges::find(states, state) == states.end()) states.push_back(state);
 }
 
 // If depths are compared unconverted, it matters which of two neighbouring values was stored for a
 // depth: each has a state of its own.
-bool Replay::has_either_depth(const SampleState& state, const Arrival& arrival) const {
-  const bool is_own = state.source && state.source == arrival.reported_depth;
-  return compares_unconverted() && is_own &&
-         state.permitted_depth.low != state.permitted_depth.high;
+bool has_either_depth(const PermittedNumbers::Depth& stored, const PermittedNumbers::Depth& depth,
+                      const OutputRules& by) {
+  return by.freedom.depth_test == OutcomeScope::permitted &&
+         by.choice.depth == DepthTestMethod::unconverted && stored.reported &&
+         stored.reported == depth.reported && stored.permitted.low != stored.permitted.high;
 }
 
-void Replay::set_permitted_color(const Arrival& arrival, SampleState& state) const {
-  if (output_.blend.method != BlendMethod::as_set) {
-    // For another equation, only its own result is known to be possible.
-    for (std::size_t c = 0; c < 4; ++c) state.permitted_color[c] = {state.color[c], state.color[c]};
-    return;
+void add_tested(const PermittedSample& state, const PermittedFragment& fragment,
+                const FragmentOperations& operations, const OutputRules& by,
+                std::vector<PermittedSample>& next) {
+  const auto visit = [&](PermittedSample reached, FragmentOutcome outcome) {
+    if (outcome == FragmentOutcome::passed && has_either_depth(reached.depth, fragment.depth, by)) {
+      const Interval either = reached.depth.permitted;
+      reached.depth.permitted = reached.depth.exact = either.low;
+      add(reached, next);
+      reached.depth.permitted = reached.depth.exact = either.high;
+    }
+    add(reached, next);
+  };
+  for_each_outcome(fragment, operations, by, state, visit);
+}
+
+void add_after(const PermittedSample& state, const Arrival& arrival, const OutputRules& by,
+               std::vector<PermittedSample>& next) {
+  TestOutcomes kept{arrival.is_kept, !arrival.is_kept};
+  const bool is_open = arrival.may_be_dropped || !arrival.is_kept;
+  if (by.freedom.alpha == OutcomeScope::permitted)
+    kept = {arrival.may_be_kept, arrival.may_be_dropped};
+  if (by.freedom.alpha == OutcomeScope::any && is_open) kept = {true, true};
+  if (kept.may_fail) add(state, next);
+  if (!kept.may_pass) return;
+  add_tested(state, arrival.values, *arrival.operations, by, next);
+  if (by.freedom.facing == OutcomeScope::permitted && arrival.may_face_otherwise) {
+    PermittedFragment turned = arrival.values;
+    turned.front_facing = !turned.front_facing;
+    add_tested(state, turned, *arrival.operations, by, next);
   }
-  FragmentOperations operations = *arrival.operations;
-  if (output_.blend.mask == ColorMaskMethod::ignored) operations.color_mask.fill(true);
-  state.permitted_color =
-      permitted_color(operations, arrival.permitted_color, state.permitted_color);
-}
-
-SampleState Replay::written(SampleState state, const Arrival& arrival) const {
-  const FragmentOperations& operations = *arrival.operations;
-  state.color = written_color(operations, arrival.color, Rgba8(state.color), output_.blend);
-  if (tracked_ == Tracked::permitted) set_permitted_color(arrival, state);
-  const bool all = output_.blend.mask == ColorMaskMethod::ignored ||
-                   std::ranges::all_of(operations.color_mask, [](bool on) { return on; });
-  state.blended = operations.blending || (state.blended && !all);
-  if (target_.depth != DepthFormat::none && arrival.writes_depth &&
-      stores_depth(operations.depth, output_.depth_mask)) {
-    state.depth = to_depth(arrival.depth, target_.depth, output_.depth_bits);
-    // Of fewer bits, only their own value is known to be possible.
-    if (tracked_ == Tracked::permitted)
-      state.permitted_depth = output_.depth_bits == DepthBits::as_set
-                                  ? depth_permitted(arrival.permitted_depth, target_.depth)
-                                  : Interval(state.depth);
-    state.source = arrival.reported_depth;
-  }
-  ++state.hits;
-  return state;
-}
-
-namespace {
-
-bool permits(const SampleState& state, const std::uint8_t* color) {
-  for (std::size_t c = 0; c < 4; ++c)
-    if (color[c] < state.permitted_color[c].low || color[c] > state.permitted_color[c].high)
-      return false;
-  return true;
-}
-
-// A permitted range of depths also contains numbers between the format's values.
-bool permits(const SampleState& state, double depth, DepthFormat format) {
-  if (depth == state.depth) return true;
-  return is_depth_of(depth, format) && state.permitted_depth.contains(depth);
 }
 
 }  // namespace
 
-bool agrees(const SampleState& state, const StoredSample& stored, DepthFormat format,
+std::vector<PermittedSample> replayed(std::span<const Arrival> arrivals, const OutputRules& by) {
+  std::vector<PermittedSample> states{cleared_sample<PermittedNumbers>(by.target)};
+  std::vector<PermittedSample> next;
+  for (const Arrival& arrival : arrivals) {
+    next.clear();
+    for (const PermittedSample& state : states) add_after(state, arrival, by, next);
+    if (next.size() > kMostStates) next = merged(next);
+    std::swap(states, next);
+  }
+  return states;
+}
+
+std::vector<PermittedSample> states_after(const PermittedSample& state, const Arrival& arrival,
+                                          const OutputRules& by) {
+  std::vector<PermittedSample> next;
+  add_after(state, arrival, by, next);
+  return next;
+}
+
+FragmentOutcome arrive(const Arrival& arrival, const OutputRules& by, ExactSample& sample) {
+  if (!arrival.is_kept) return FragmentOutcome::dropped;
+  const PermittedFragment& values = arrival.values;
+  return apply({values.color.exact, values.depth.exact, values.front_facing, values.writes_depth},
+               *arrival.operations, by, sample);
+}
+
+namespace {
+
+bool permits(const Rgba8Range& permitted, const std::uint8_t* color) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if (color[c] < permitted[c].low || color[c] > permitted[c].high) return false;
+  return true;
+}
+
+// A permitted range of depths also contains numbers between the format's values.
+bool permits(const PermittedNumbers::Depth& depth, double stored, DepthFormat format) {
+  if (stored == depth.exact) return true;
+  return is_depth_of(stored, format) && depth.permitted.contains(stored);
+}
+
+}  // namespace
+
+bool agrees(const PermittedSample& state, const StoredSample& stored, DepthFormat format,
             ComparedPlanes planes) {
   if (planes.stencil && stored.stencil && *stored.stencil != state.stencil) return false;
   if (planes.hits && stored.hits && *stored.hits != state.hits) return false;
-  if (planes.color && stored.color != nullptr && !permits(state, stored.color)) return false;
-  return !planes.depth || !stored.depth || permits(state, *stored.depth, format);
+  if (planes.color && stored.color != nullptr && !permits(state.color.permitted, stored.color))
+    return false;
+  return !planes.depth || !stored.depth || permits(state.depth, *stored.depth, format);
 }
 
-bool any_agrees(std::span<const SampleState> states, const StoredSample& stored, DepthFormat format,
-                ComparedPlanes planes) {
+bool any_agrees(std::span<const PermittedSample> states, const StoredSample& stored,
+                DepthFormat format, ComparedPlanes planes) {
   return std::ranges::any_of(
-      states, [&](const SampleState& state) { return agrees(state, stored, format, planes); });
+      states, [&](const PermittedSample& state) { return agrees(state, stored, format, planes); });
 }
 
-bool has_color(const SampleState& state, const StoredSample& stored) {
+bool has_color(const ExactSample& exact, const StoredSample& stored) {
   return stored.color == nullptr ||
-         std::equal(state.color.begin(), state.color.end(), stored.color);
+         std::equal(exact.color.begin(), exact.color.end(), stored.color);
 }
 
-bool is_exact(const SampleState& state, const StoredSample& stored) {
-  return has_color(state, stored) && (!stored.depth || *stored.depth == state.depth) &&
-         (!stored.stencil || *stored.stencil == state.stencil) &&
-         (!stored.hits || *stored.hits == state.hits);
+bool is_exact(const ExactSample& exact, const StoredSample& stored) {
+  return has_color(exact, stored) && (!stored.depth || *stored.depth == exact.depth) &&
+         (!stored.stencil || *stored.stencil == exact.stencil) &&
+         (!stored.hits || *stored.hits == exact.hits);
 }
 
 // ---------------------------------------------------------------------------------------- arrivals
@@ -310,8 +202,8 @@ Arrival Arrivals::arrival_of(const Fragment& fragment, std::span<const Fragment>
   arrival.operations = &draw.operations;
   arrival.is_unsampled = context_.scene.target.samples > 1 && !draw.multisampling.enabled;
   const PixelTruth truth = truth_of_fragment(context_, fragment);
-  arrival.color = truth.exact;
-  for (std::size_t c = 0; c < 4; ++c) arrival.permitted_color[c] = accepted(truth, c);
+  arrival.values.color.exact = truth.exact;
+  for (std::size_t c = 0; c < 4; ++c) arrival.values.color.permitted[c] = accepted(truth, c);
   if (context_.scene.target.depth != DepthFormat::none) set_depth(arrival, sample, choice, tracked);
   if (arrival.operations->stencil) set_facing(arrival, choice);
   if (is_thinned(context_, fragment)) set_kept(arrival, at_pixel, sample, choice);
@@ -328,19 +220,18 @@ void Arrivals::set_depth(Arrival& arrival, int sample, const RuleChoices& choice
       target.samples > 1 &&
       (primitive.state->multisampling.enabled ||
        unsampled(primitive.kind, choice.triangles.multisample_switch) == Unsampled::by_each_sample);
-  arrival.writes_depth =
+  PermittedNumbers::Depth& depth = arrival.values.depth;
+  arrival.values.writes_depth =
       writes_depth(context_, fragment, sample, choice.triangles.multisample_switch);
   if (target.samples > 1 && !by_sample && !is_constant(context_.values_of(fragment).lawful.depth)) {
     set_depth_without_multisampling(arrival, tracked);
     return;
   }
   if (fragment.has_depth && !by_sample) {
-    arrival.reported_depth = fragment.depth;
-    arrival.depth = fragment.depth;
-    arrival.permitted_depth =
-        std::isnan(fragment.depth)
-            ? Interval::everything()
-            : clamped_depth(context_.values_of(fragment).lawful, fragment.depth);
+    depth.reported = depth.exact = fragment.depth;
+    depth.permitted = std::isnan(fragment.depth)
+                          ? Interval::everything()
+                          : clamped_depth(context_.values_of(fragment).lawful, fragment.depth);
     return;
   }
   const PrimitiveValues& values = context_.values_of(fragment);
@@ -349,8 +240,8 @@ void Arrivals::set_depth(Arrival& arrival, int sample, const RuleChoices& choice
                by_sample ? sample_depth_location(primitive.kind, context_.sample_position(sample),
                                                  choice.values.locations)
                          : centre_of_pixel());
-  arrival.depth = middle(depth_exact(values.chosen, place));
-  if (tracked == Tracked::permitted) arrival.permitted_depth = depth_permitted_at(values, place);
+  depth.exact = middle(depth_exact(values.chosen, place));
+  if (tracked == Tracked::permitted) depth.permitted = depth_permitted_at(values, place);
 }
 
 // The depth is that of the pixel's centre, or of the sample or another one (14.3.1, 17.3.10),
@@ -360,23 +251,23 @@ void Arrivals::set_depth_without_multisampling(Arrival& arrival, Tracked tracked
   const PrimitiveValues& values = context_.values_of(fragment);
   const Point centre = pixel_centre(fragment.x, fragment.y);
   const bool is_reported = fragment.has_depth && !std::isnan(fragment.depth);
-  arrival.depth = is_reported ? fragment.depth : middle(depth_exact(values.chosen, centre));
+  PermittedNumbers::Depth& depth = arrival.values.depth;
+  depth.exact = is_reported ? fragment.depth : middle(depth_exact(values.chosen, centre));
   if (tracked == Tracked::exact) return;
-  arrival.permitted_depth = hull(arrival.depth, depth_permitted_at(values, centre));
+  depth.permitted = hull(depth.exact, depth_permitted_at(values, centre));
   for (const Point position : context_.sample_positions())
-    arrival.permitted_depth =
-        hull(arrival.permitted_depth,
-             depth_permitted_at(values, place_in({fragment.x, fragment.y}, position)));
+    depth.permitted = hull(
+        depth.permitted, depth_permitted_at(values, place_in({fragment.x, fragment.y}, position)));
 }
 
 void Arrivals::set_facing(Arrival& arrival, const RuleChoices& choice) const {
   const ScenePrimitive& primitive = context_.primitive_of(*arrival.fragment);
   CoverageChoice coverage = context_.choices.of(primitive.kind);
   coverage.facing = choice.triangles.facing;
-  arrival.front_facing = is_front_facing(primitive, context_.scene.target, coverage);
+  const bool front_facing = is_front_facing(primitive, context_.scene.target, coverage);
+  arrival.values.front_facing = front_facing;
   const FacingLatitude latitude = facing_of(*arrival.fragment);
-  arrival.may_face_otherwise =
-      arrival.front_facing ? latitude.may_face_back : latitude.may_face_front;
+  arrival.may_face_otherwise = front_facing ? latitude.may_face_back : latitude.may_face_front;
 }
 
 FacingLatitude Arrivals::facing_of(const Fragment& fragment) const {

@@ -2,7 +2,7 @@
 //
 // Replays the per-fragment operations: a sample of the target meets one fragment after another.
 //
-//   fragment -> alpha to coverage -> stencil test -> depth test -> blending -> colour mask -> write
+//   fragment -> facing, alpha to coverage -> rules/output/fragment_outcome.h
 //
 // A state has what exact stores and everything that may be stored. If the outcome of a step is
 // open, both outcomes are followed, so a sample has a set of states: it must agree with one of them
@@ -14,16 +14,14 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "diff/coverage/facing_latitude.h"
 #include "diff/values/value_diff.h"
 #include "exact/interval.h"
-#include "model/fragment_operations.h"
 #include "model/rendering.h"
 #include "rules/choices.h"
-#include "rules/output/blending.h"
+#include "rules/output/fragment_outcome.h"
 
 namespace edgecase {
 
@@ -36,22 +34,14 @@ namespace edgecase {
 // or choose what it leaves open.
 bool is_standard(const RuleChoices& choice);
 
-// What a replay keeps: what exact has, or also everything that is permitted, which costs more than
+// What is asked of arrivals: what exact has, or also all that is permitted, which costs more than
 // the rest.
 enum class Tracked : unsigned char { exact, permitted };
 
 struct Arrival {
   const Fragment* fragment = nullptr;
   const FragmentOperations* operations = nullptr;
-  // What exact has, and all that is permitted, if that is tracked; before conversion to the
-  // target's formats.
-  std::array<double, 4> color{};
-  std::array<Interval, 4> permitted_color{};
-  double depth = 0;
-  Interval permitted_depth;
-  std::optional<double> reported_depth;  // if the sample has the depth that the renderer reported
-  bool writes_depth = true;              // if the draw does
-  bool front_facing = true;
+  PermittedFragment values;  // a depth is `reported` if the sample has the one that was reported
   bool may_face_otherwise = false;
   bool is_unsampled = false;  // of a draw without GL_MULTISAMPLE, on a target of several samples
   // By alpha to coverage: under the choice, and as ruling 33 permits.
@@ -100,80 +90,17 @@ class Arrivals {
 
 // ------------------------------------------------------------------------------------------ states
 
-// The outcome of the last fragment.
-enum class OperationsStep : unsigned char { none, dropped, stencil_failed, depth_failed, passed };
-
-struct SampleState {
-  Rgba8 color{};
-  Rgba8Range permitted_color{};  // this and the next: if the permitted is tracked
-  Interval permitted_depth;
-  double depth = 0;
-  std::optional<double> source;  // the depth before conversion, if it was reported
-  std::uint8_t stencil = 0;
-  std::uint32_t hits = 0;
-  bool blended = false;  // something that is stored is the result of blending
-  OperationsStep last = OperationsStep::none;
-  // Under StencilMethod::once_a_draw: the draw that changed the stencil value last.
-  const FragmentOperations* operated = nullptr;
-};
-
-// The outcomes of a step that are followed: exact's, all that the specification permits, or any.
-enum class OutcomeScope : unsigned char { exact, permitted, any };
-
-struct OperationsFreedom {
-  OutcomeScope depth_test = OutcomeScope::exact;
-  OutcomeScope stencil_test = OutcomeScope::exact;  // no other is permitted
-  OutcomeScope facing = OutcomeScope::exact;
-  OutcomeScope alpha = OutcomeScope::exact;
-};
-inline constexpr OperationsFreedom kAllPermitted{OutcomeScope::permitted, OutcomeScope::exact,
-                                                 OutcomeScope::permitted, OutcomeScope::permitted};
-
 // Above this count, states of equal stencil and hits are merged into one that permits all they do.
 inline constexpr std::size_t kMostStates = 64;
 
-class Replay {
- public:
-  // Keeps a reference to the target. `tracked`: that of the arrivals, or less; a replay with any
-  // freedom needs all.
-  Replay(const Target& target, const OutputChoice& output, OperationsFreedom freedom,
-         Tracked tracked = Tracked::permitted)
-      : target_(target), output_(output), freedom_(freedom), tracked_(tracked) {}
+// The states after one more fragment.
+std::vector<PermittedSample> states_after(const PermittedSample& state, const Arrival& arrival,
+                                          const OutputRules& by);
+// The states after all fragments, from the clear values on. With no freedom, one state.
+std::vector<PermittedSample> replayed(std::span<const Arrival> arrivals, const OutputRules& by);
 
-  SampleState cleared() const;
-  // The states after one more fragment.
-  std::vector<SampleState> after(std::vector<SampleState> states, const Arrival& arrival) const;
-  // The states after all fragments, from the clear values on. With no freedom, one state.
-  std::vector<SampleState> run(std::span<const Arrival> arrivals) const;
-  // The state after one more fragment that has passed all tests, which leaves its stencil value.
-  SampleState written(SampleState state, const Arrival& arrival) const;
-
- private:
-  struct Outcomes {
-    bool pass = false;
-    bool fail = false;
-  };
-
-  void add_after(const SampleState& state, const Arrival& arrival,
-                 std::vector<SampleState>& next) const;
-  void add_tested(const SampleState& state, const Arrival& arrival, bool front_facing,
-                  std::vector<SampleState>& next) const;
-  Outcomes stencil_outcomes(const SampleState& state, const StencilFace& face) const;
-  Outcomes depth_outcomes(const SampleState& state, const Arrival& arrival) const;
-  void step(std::vector<SampleState>& states, const Arrival& arrival,
-            std::vector<SampleState>& next) const;
-  void set_permitted_color(const Arrival& arrival, SampleState& state) const;
-  bool has_either_depth(const SampleState& state, const Arrival& arrival) const;
-  bool compares_unconverted() const {
-    return freedom_.depth_test == OutcomeScope::permitted &&
-           output_.depth == DepthTestMethod::unconverted;
-  }
-
-  const Target& target_;
-  const OutputChoice output_;
-  const OperationsFreedom freedom_;
-  const Tracked tracked_;
-};
+// Exact's outcome of one fragment. `sample` becomes what exact stores after it.
+FragmentOutcome arrive(const Arrival& arrival, const OutputRules& by, ExactSample& sample);
 
 // The contents of a sample as a renderer reports them; a plane that it does not report is left out.
 struct StoredSample {
@@ -192,12 +119,12 @@ struct ComparedPlanes {
 };
 
 // True if the state permits what is stored.
-bool agrees(const SampleState& state, const StoredSample& stored, DepthFormat format,
+bool agrees(const PermittedSample& state, const StoredSample& stored, DepthFormat format,
             ComparedPlanes planes = {});
-bool any_agrees(std::span<const SampleState> states, const StoredSample& stored, DepthFormat format,
-                ComparedPlanes planes = {});
+bool any_agrees(std::span<const PermittedSample> states, const StoredSample& stored,
+                DepthFormat format, ComparedPlanes planes = {});
 // True if what is stored equals exact's.
-bool has_color(const SampleState& state, const StoredSample& stored);
-bool is_exact(const SampleState& state, const StoredSample& stored);
+bool has_color(const ExactSample& exact, const StoredSample& stored);
+bool is_exact(const ExactSample& exact, const StoredSample& stored);
 
 }  // namespace edgecase

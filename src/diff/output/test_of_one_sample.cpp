@@ -13,8 +13,8 @@ namespace {
 
 // A sample, and the one whose tests decide for it.
 struct Pair {
-  SampleState own;
-  SampleState tested;
+  PermittedSample own;
+  PermittedSample tested;
 };
 
 // Pairs beyond this number are not followed: then the pixel does not agree.
@@ -32,59 +32,49 @@ std::vector<const Arrival*> by_fragment(const std::vector<Arrival>& arrivals,
   return matched;
 }
 
-class PairReplay {
- public:
-  explicit PairReplay(const Target& target)
-      : target_(target), replay_(target, standard_choices().output, kAllPermitted) {}
+// The outcome of the tested sample decides. Where the new stencil value is the old one, other
+// samples may be set to it, as the letter has it, or be left as they are.
+void add_shared(const Pair& before, const Arrival& own, const PermittedSample& outcome,
+                const OutputRules& by, std::vector<Pair>& next) {
+  const bool passes = outcome.hits != before.tested.hits;
+  PermittedSample state =
+      passes ? written(own.values, *own.operations, by, before.own) : before.own;
+  const bool is_changed = outcome.stencil != before.tested.stencil;
+  if (!is_changed) next.push_back({state, outcome});
+  if (by.target.stencil == StencilFormat::none || !own.operations->stencil) return;
+  const unsigned mask =
+      face_of(*own.operations->stencil, own.values.front_facing, by.choice.stencil).write_mask;
+  state.stencil =
+      static_cast<std::uint8_t>((before.own.stencil & ~mask) | (outcome.stencil & mask));
+  if (is_changed || state.stencil != before.own.stencil) next.push_back({state, outcome});
+}
 
-  std::vector<Pair> run(const std::vector<const Arrival*>& own,
-                        const std::vector<const Arrival*>& tested) const {
-    std::vector<Pair> pairs{{replay_.cleared(), replay_.cleared()}};
-    for (std::size_t i = 0; i < own.size() && pairs.size() <= kMostPairs; ++i) {
-      std::vector<Pair> next;
-      for (const Pair& pair : pairs) add_after(pair, own[i], tested[i], next);
-      pairs = std::move(next);
-    }
-    if (pairs.size() > kMostPairs) pairs.clear();
-    return pairs;
+void add_after(const Pair& before, const Arrival* own, const Arrival* tested, const OutputRules& by,
+               std::vector<Pair>& next) {
+  const auto after = [&](const PermittedSample& state, const Arrival* arrival) {
+    return arrival == nullptr ? std::vector{state} : states_after(state, *arrival, by);
+  };
+  const bool shares_tests = own != nullptr && tested != nullptr && own->is_unsampled;
+  for (const PermittedSample& outcome : after(before.tested, tested)) {
+    if (shares_tests)
+      add_shared(before, *own, outcome, by, next);
+    else
+      for (const PermittedSample& state : after(before.own, own)) next.push_back({state, outcome});
   }
+}
 
- private:
-  std::vector<SampleState> after(const SampleState& state, const Arrival* arrival) const {
-    return arrival == nullptr ? std::vector{state} : replay_.after({state}, *arrival);
+std::vector<Pair> replayed(const std::vector<const Arrival*>& own,
+                           const std::vector<const Arrival*>& tested, const OutputRules& by) {
+  const auto cleared = cleared_sample<PermittedNumbers>(by.target);
+  std::vector<Pair> pairs{{cleared, cleared}};
+  for (std::size_t i = 0; i < own.size() && pairs.size() <= kMostPairs; ++i) {
+    std::vector<Pair> next;
+    for (const Pair& pair : pairs) add_after(pair, own[i], tested[i], by, next);
+    pairs = std::move(next);
   }
-
-  void add_after(const Pair& before, const Arrival* own, const Arrival* tested,
-                 std::vector<Pair>& next) const {
-    const bool shares_tests = own != nullptr && tested != nullptr && own->is_unsampled;
-    for (const SampleState& outcome : after(before.tested, tested)) {
-      if (shares_tests) {
-        add_shared(before, *own, outcome, next);
-        continue;
-      }
-      for (const SampleState& state : after(before.own, own)) next.push_back({state, outcome});
-    }
-  }
-
-  // The outcome of the tested sample decides. Where the new stencil value is the old one, other
-  // samples may be set to it, as the letter has it, or be left as they are.
-  void add_shared(const Pair& before, const Arrival& own, const SampleState& outcome,
-                  std::vector<Pair>& next) const {
-    SampleState state =
-        outcome.last == OperationsStep::passed ? replay_.written(before.own, own) : before.own;
-    const bool is_changed = outcome.stencil != before.tested.stencil;
-    if (!is_changed) next.push_back({state, outcome});
-    if (target_.stencil == StencilFormat::none || !own.operations->stencil) return;
-    const unsigned mask =
-        face_of(*own.operations->stencil, own.front_facing, StencilMethod::as_set).write_mask;
-    state.stencil =
-        static_cast<std::uint8_t>((before.own.stencil & ~mask) | (outcome.stencil & mask));
-    if (is_changed || state.stencil != before.own.stencil) next.push_back({state, outcome});
-  }
-
-  const Target& target_;
-  Replay replay_;
-};
+  if (pairs.size() > kMostPairs) pairs.clear();
+  return pairs;
+}
 
 }  // namespace
 
@@ -104,12 +94,12 @@ bool agrees_by_test_of(std::span<const OperationsQuestion> pixel, int tested) {
   const DepthFormat format = deciding.target().depth;
   const std::vector<Arrival> arrivals = deciding.arrivals({});
   const auto deciding_arrivals = by_fragment(arrivals, deciding.fragments());
-  const PairReplay replay(deciding.target());
+  const OutputRules rules{deciding.target(), standard_choices().output, kAllPermitted};
   return std::ranges::all_of(pixel, [&](const OperationsQuestion& own) {
     if (own.sample == tested) return own.agrees({}, kAllPermitted);
     const std::vector<Arrival> own_arrivals = own.arrivals({});
     return std::ranges::any_of(
-        replay.run(by_fragment(own_arrivals, own.fragments()), deciding_arrivals),
+        replayed(by_fragment(own_arrivals, own.fragments()), deciding_arrivals, rules),
         [&](const Pair& pair) {
           return agrees(pair.own, own.stored, format) &&
                  agrees(pair.tested, deciding.stored, format);

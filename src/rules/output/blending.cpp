@@ -282,8 +282,7 @@ Rgba8 written_color(const FragmentOperations& operations, const std::array<doubl
 
 Rgba8Range permitted_color(const FragmentOperations& operations,
                            const std::array<Interval, 4>& source, const Rgba8Range& destination,
-                           BlendMethod method) {
-  const bool blends = operations.blending && method != BlendMethod::ignored;
+                           ColorMaskMethod mask) {
   BlendOperands<CodeRange> operands{{}, {}, {}, {kLargest, kLargest}};
   for (std::size_t i = 0; i < 4; ++i) {
     operands.source[i] = codes_around(source[i]);
@@ -293,13 +292,13 @@ Rgba8Range permitted_color(const FragmentOperations& operations,
   }
   Rgba8Range result = destination;
   for (std::size_t i = 0; i < 4; ++i) {
-    if (!operations.color_mask[i]) continue;
-    if (!blends) {
+    if (!operations.color_mask[i] && mask == ColorMaskMethod::as_set) continue;
+    if (!operations.blending) {
       result[i] = unorm8_permitted(source[i]);
       continue;
     }
-    const BlendTerm term = term_of(*operations.blending, i, method);
-    const CodeRange range = blended(term, operands, i, method);
+    const BlendTerm term = term_of(*operations.blending, i, BlendMethod::as_set);
+    const CodeRange range = blended(term, operands, i);
     result[i] = {std::clamp(range.low, 0, kLargest), std::clamp(range.high, 0, kLargest)};
   }
   return result;

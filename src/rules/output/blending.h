@@ -99,6 +99,12 @@ struct BlendChoice {
 using Rgba8 = std::array<std::uint8_t, 4>;
 using Rgba8Range = std::array<Unorm8Range, 4>;
 
+// True if no stored component stays as it is.
+inline bool writes_all_components(const FragmentOperations& operations, ColorMaskMethod method) {
+  return method == ColorMaskMethod::ignored ||
+         std::ranges::all_of(operations.color_mask, [](bool written) { return written; });
+}
+
 // The stored colour after a fragment that has passed all tests. `source`: its colour, any number,
 // NaN counts as 0. If it is blended, the double counts as the exact number; else it is stored as by
 // to_unorm8.
@@ -107,11 +113,10 @@ Rgba8 written_color(const FragmentOperations& operations, const std::array<doubl
 
 // The permitted results, component by component: blending is computed with a precision that is no
 // lower than that of the destination's components (17.3.6.1), so source, constant, factors,
-// products and sum may each be rounded to either neighbouring multiple of 1/255. `method`: the same
-// for operations that are understood so.
+// products and sum may each be rounded to either neighbouring multiple of 1/255.
 Rgba8Range permitted_color(const FragmentOperations& operations,
                            const std::array<Interval, 4>& source, const Rgba8Range& destination,
-                           BlendMethod method = BlendMethod::as_set);
+                           ColorMaskMethod mask = ColorMaskMethod::as_set);
 
 // The formula of blending (GL 4.6 core, tables 17.1 and 17.2), once for every kind of number:
 // exact, an interval, or rounded at each step.

@@ -26,6 +26,7 @@ Rule order_rule();
 struct Unorm8Range {
   int low = 0;   // inclusive
   int high = 0;  // inclusive
+  friend bool operator==(const Unorm8Range&, const Unorm8Range&) = default;
 };
 
 // Values that the conversion of any number in `value` may yield: either neighbour of an

@@ -54,10 +54,11 @@ Result under(const Scene& scene, const std::string& rule, const std::string& alt
 std::vector<double> told(std::span<const Arrival> arrivals, Tracked tracked) {
   std::vector<double> numbers;
   for (const Arrival& arrival : arrivals) {
-    numbers.insert(numbers.end(), {static_cast<double>(arrival.fragment->primitive), arrival.depth,
-                                   arrival.is_kept ? 1.0 : 0.0});
+    numbers.insert(numbers.end(), {static_cast<double>(arrival.fragment->primitive),
+                                   arrival.values.depth.exact, arrival.is_kept ? 1.0 : 0.0});
     if (tracked == Tracked::permitted)
-      numbers.insert(numbers.end(), {arrival.permitted_depth.low, arrival.permitted_depth.high});
+      numbers.insert(numbers.end(),
+                     {arrival.values.depth.permitted.low, arrival.values.depth.permitted.high});
   }
   return numbers;
 }
