@@ -123,9 +123,10 @@ void draw_multisampled(Rendering& rendering, const Scene& scene, const RuleChoic
                        Details details, const SamplePositions& reported) {
   const Target& target = scene.target;
   rendering.sample_positions = positions_of(target, choices.triangles, reported);
+  const FragmentStage stage(rendering, target, choices.output);
   for (const ScenePrimitive& primitive : primitives_of(scene)) {
     const CoverageChoice& choice = choices.of(primitive.kind);
-    draw_multisampled(rendering, target, primitive, choices, details,
+    draw_multisampled(rendering, stage, target, primitive, choices, details,
                       covered_samples(primitive, target, choice, reported));
   }
   resolve_samples(rendering, choices.samples.resolve);

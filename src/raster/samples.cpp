@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "raster/attributes.h"
@@ -26,9 +26,8 @@ std::vector<PixelMask> masks_of(const SampleCoverage& coverage) {
   std::vector<PixelMask> bits;
   for (std::size_t s = 0; s < coverage.size(); ++s)
     for (PixelPosition pixel : coverage[s]) bits.push_back({pixel, std::uint32_t{1} << s});
-  std::sort(bits.begin(), bits.end(), [](const PixelMask& a, const PixelMask& b) {
-    return std::tie(a.pixel.y, a.pixel.x) < std::tie(b.pixel.y, b.pixel.x);
-  });
+  std::ranges::sort(bits, {},
+                    [](const PixelMask& mask) { return std::pair(mask.pixel.y, mask.pixel.x); });
   std::vector<PixelMask> masks;
   for (const PixelMask& bit : bits) {
     if (masks.empty() || masks.back().pixel != bit.pixel) masks.push_back({bit.pixel, 0});
@@ -40,9 +39,11 @@ std::vector<PixelMask> masks_of(const SampleCoverage& coverage) {
 // Draws the fragments of one primitive.
 class MultisampledPrimitive {
  public:
-  MultisampledPrimitive(Rendering& rendering, const Target& target, const ScenePrimitive& primitive,
-                        const RuleChoices& choices, Details details)
+  MultisampledPrimitive(Rendering& rendering, const FragmentStage& stage, const Target& target,
+                        const ScenePrimitive& primitive, const RuleChoices& choices,
+                        Details details)
       : rendering_(rendering),
+        stage_(stage),
         target_(target),
         primitive_(primitive),
         choices_(choices),
@@ -51,7 +52,6 @@ class MultisampledPrimitive {
         sampling_(sampling_of(primitive, target, choices.of(primitive.kind))),
         attributes_(attributes_of(primitive, choices, target)),
         shaded_(attributes_),
-        stage_(rendering, target, choices.output),
         front_facing_(is_front_facing(primitive, target, choices.of(primitive.kind))) {
     use_.enabled = sampling_ == Unsampled::by_each_sample;
     if (fragment_depth_is_zero(primitive.state->multisampling, locations()))
@@ -135,6 +135,7 @@ class MultisampledPrimitive {
   }
 
   Rendering& rendering_;
+  const FragmentStage& stage_;
   const Target& target_;
   const ScenePrimitive& primitive_;
   const RuleChoices& choices_;
@@ -143,7 +144,6 @@ class MultisampledPrimitive {
   Unsampled sampling_;
   PrimitiveAttributes attributes_;
   PrimitiveAttributes shaded_;  // the shader's inputs
-  FragmentStage stage_;
   bool front_facing_;
 };
 
@@ -169,10 +169,10 @@ bool heeds_others(const Multisampling& use, int samples, const SampleChoice& cho
          runs_per_sample(use, samples, choice.rate);
 }
 
-void draw_multisampled(Rendering& rendering, const Target& target, const ScenePrimitive& primitive,
-                       const RuleChoices& choices, Details details,
+void draw_multisampled(Rendering& rendering, const FragmentStage& stage, const Target& target,
+                       const ScenePrimitive& primitive, const RuleChoices& choices, Details details,
                        const SampleCoverage& coverage) {
-  MultisampledPrimitive drawn(rendering, target, primitive, choices, details);
+  MultisampledPrimitive drawn(rendering, stage, target, primitive, choices, details);
   for (const auto& [pixel, mask] : masks_of(coverage)) drawn.draw(pixel, mask);
 }
 

@@ -32,9 +32,11 @@ std::vector<double> alphas_of_samples(const ScenePrimitive& primitive,
 bool heeds_others(const Multisampling& use, int samples, const SampleChoice& choice);
 
 // Draws the primitive's fragments into a rendering whose sample positions are set and whose planes
-// are cleared. `details` to record; `coverage` from covered_samples.
-void draw_multisampled(Rendering& rendering, const Target& target, const ScenePrimitive& primitive,
-                       const RuleChoices& choices, Details details, const SampleCoverage& coverage);
+// are cleared. `stage`: the rendering's, one for all primitives. `details` to record; `coverage`
+// from covered_samples.
+void draw_multisampled(Rendering& rendering, const FragmentStage& stage, const Target& target,
+                       const ScenePrimitive& primitive, const RuleChoices& choices, Details details,
+                       const SampleCoverage& coverage);
 
 // Computes the pixels from their samples.
 void resolve_samples(Rendering& rendering, ResolveMethod method);

@@ -2,6 +2,7 @@
 #include "diff/output/operations_compare.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -265,13 +266,11 @@ SamplePlanes samples_by_operations(const ValueContext& context, const Rendering&
   if (ends == AlphaEnds::open) freedom.alpha = OutcomeScope::any;
   for_each_sample(context, arrivals, rendered, [&](const OperationsQuestion& question) {
     std::vector<PermittedSample> states = question.states({}, freedom);
-    const auto agrees_with_others = [&](const PermittedSample& state) {
+    const auto is_left = [&](const PermittedSample& state) {
       return agrees(state, question.stored, question.target().depth);
     };
     // Other reported planes narrow the states down.
-    if (std::ranges::any_of(states, agrees_with_others))
-      std::erase_if(states,
-                    [&](const PermittedSample& state) { return !agrees_with_others(state); });
+    if (std::ranges::any_of(states, is_left)) std::erase_if(states, std::not_fn(is_left));
     const Rgba8 nearest = question.exact(chosen).color;
     const std::size_t index =
         4 * rendered.sample_index(question.pixel.x, question.pixel.y, question.sample);
