@@ -158,12 +158,10 @@ bool is_exact(const ExactSample& exact, const StoredSample& stored) {
 
 bool is_standard(const RuleChoices& choice) {
   const RuleChoices& standard = standard_choices();
-  return choice.output.depth == standard.output.depth &&
-         choice.output.depth_mask == standard.output.depth_mask &&
-         choice.output.stencil == standard.output.stencil &&
-         choice.output.blend.method == standard.output.blend.method &&
-         choice.output.blend.rounding == standard.output.blend.rounding &&
-         choice.output.blend.mask == standard.output.blend.mask &&
+  const OutputChoice &a = choice.output, &b = standard.output;
+  return a.depth == b.depth && a.depth_mask == b.depth_mask && a.depth_bits == b.depth_bits &&
+         a.stencil == b.stencil && a.blend.method == b.blend.method &&
+         a.blend.rounding == b.blend.rounding && a.blend.mask == b.blend.mask &&
          choice.triangles.facing == standard.triangles.facing &&
          choice.triangles.multisample_switch == standard.triangles.multisample_switch &&
          choice.values.locations.depth == standard.values.locations.depth &&

@@ -81,5 +81,24 @@ TEST(OutputAgreement, UnderEveryPolicy) {
       }
 }
 
+// A renderer that stores fewer bits, as the policy has it, breaks OpenGL all the same.
+TEST(OutputAgreement, FewerDepthBitsOfAPolicyAreHeldAgainstOpenGL) {
+  const Fixed half = Fixed::from_raw(Fixed::kOne / 2);
+  Draw draw = make_draw(Primitive::points, std::vector{Point{half, half}});
+  draw.operations.depth = {CompareFunction::less, true};
+  draw.vertices[0].z = Fixed::from_raw(-12345);
+  Scene scene = blank_scene(1, 1);
+  scene.target.depth = DepthFormat::depth24;
+  scene.draws = {draw};
+  const Policy policy = policy_with("framebuffer.depth-bits", "sixteen");
+  const Rendering exact = rasterize(scene, policy);
+  ASSERT_NE(exact.depths, rasterize(scene, {}).depths);
+  EXPECT_EQ(judge_output(scene, policy, exact, Latitude::none).verdict, Verdict::agree);
+  const Result result = judge_output(scene, policy, exact);
+  EXPECT_EQ(result.verdict, Verdict::violation) << described(result);
+  ASSERT_FALSE(result.disagreements.empty());
+  EXPECT_TRUE(result.disagreements[0].policy_agrees);
+}
+
 }  // namespace
 }  // namespace edgecase
