@@ -53,9 +53,9 @@ using EdgeNumbers = std::vector<int>;
 const EdgeNumbers kAllEdges = {0, 1, 2};
 
 // The largest pixel whose sample is not beyond the coordinate: floor(coordinate/w - place).
-// The coordinate is at most 2^14 w, and w at most 2^32.
+// The coordinate is at most 2^14 w, and w at most 2^35.
 int last_pixel(std::int64_t coordinate, std::int64_t w, Fixed place) {
-  assert(0 < w && w <= std::int64_t{1} << 32 && std::abs(coordinate) / w <= 1 << 14);
+  assert(0 < w && w <= std::int64_t{1} << 35 && std::abs(coordinate) / w <= 1 << 14);
   const Int128 above = Int128{coordinate} * Fixed::kOne - Int128{place.raw()} * w;
   const Int128 below = Int128{w} * Fixed::kOne;
   return static_cast<int>(above / below - (above % below < 0 ? 1 : 0));
